@@ -231,17 +231,27 @@ impl Study {
         }
     }
 
-    /// The lines of the comment at a place of the file, or just above it.
+    /// The lines of the comment at a place of the file, or just above it: of what `identify` wrote above a number, which
+    /// says where that is from, all of it, before what stands behind the number and may be older.
     fn comment_at(&self, at: usize) -> Option<Vec<&str>> {
         let start = self.text.get(..at)?.rfind('\n').map_or(0, |i| i + 1);
         let line = self.text.get(start..)?.lines().next()?;
-        if let Some(comment) = trailing_comment(line).filter(|comment| !comment.is_empty()) {
-            return Some(vec![comment]);
+        let behind = trailing_comment(line).filter(|comment| !comment.is_empty());
+        let mut lines = self.comment_above(start);
+        let is_identified = passivity_identify::remarks(lines.iter().copied()).len() < lines.len();
+        if behind.is_some() && !is_identified {
+            lines.clear();
         }
-        let above = self.text.get(..start)?;
-        // The head of the file, which ends with the first line that is no comment, is no comment at a parameter.
+        lines.extend(behind);
+        (!lines.is_empty()).then_some(lines)
+    }
+
+    /// The lines of the comment just above a line, but for the head of the file, which speaks of all of it: that ends with
+    /// the first line that is no comment.
+    fn comment_above(&self, start: usize) -> Vec<&str> {
+        let above = self.text.get(..start).unwrap_or_default();
         if above.lines().all(|line| line.trim().starts_with('#')) {
-            return None;
+            return Vec::new();
         }
         let mut lines: Vec<&str> = above
             .lines()
@@ -251,7 +261,7 @@ impl Study {
             .map(str::trim)
             .collect();
         lines.reverse();
-        (!lines.is_empty()).then_some(lines)
+        lines
     }
 }
 

@@ -181,3 +181,24 @@ fn the_name_of_a_device_is_not_a_word_that_says_that_something_is_to_be_done() {
         );
     }
 }
+
+/// What stands behind a number may be of the one that `identify` replaced: the logs are said before it.
+#[test]
+fn a_comment_behind_an_identified_number_does_not_hide_where_it_is_from() {
+    let dir = Dir::new();
+    let push = shipped("push.csv");
+    let sketch = read(&dir, &shipped("sketch.toml"));
+    let before = "[device]\nviscous = \"1e-5 N m s/rad\" # bench of 2019\n";
+    dir.write("sketch.toml", sketch.replace("[device]\n", before));
+    let words = ["identify", &push, "--scene", "sketch.toml", "--effort", "1"];
+    let run = dir.run(&[&words[..], &["--out", "scene.toml"]].concat());
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    assert!(read(&dir, "scene.toml").contains(" # bench of 2019\n"));
+    dir.run(&["case", "scene.toml", "--out", "case"]);
+    let source = element(&dir, "Sn-device.viscous");
+    assert!(source.contains("Identified by"), "{source}");
+    let page = read(&dir, "case/case.html");
+    let row = page.split("bench of 2019").next().expect("a text");
+    let own = row.rsplit("device.viscous").next().expect("the row");
+    assert!(own.contains("sha256 133c77d24f7f"), "{own}");
+}
