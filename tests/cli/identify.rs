@@ -254,6 +254,29 @@ fn what_is_wrong_with_a_sketch_without_a_wall_is_said_of_what_is_in_it() {
     }
 }
 
+/// A sketch that is no text of a scene is refused as `check` refuses such a scene.
+#[test]
+fn what_cannot_be_read_as_a_sketch_is_said_as_of_a_scene() {
+    let dir = Dir::new();
+    dir.write("bytes.toml", b"[device]\n# \xff\n");
+    let large = usize::try_from(passivity_scene::parse::MAX_BYTES).unwrap() + 1;
+    dir.write("large.toml", "#".repeat(large));
+    for (sketch, says) in [
+        ("bytes.toml", "this byte is not UTF-8"),
+        ("large.toml", "the file is too large"),
+        ("none.toml", "there is no such file"),
+        (".", "this is a folder"),
+        #[cfg(unix)]
+        ("/dev/zero", "this is a pipe or a device"),
+    ] {
+        let run = dir.run(&["identify", &shipped("push.csv"), "--scene", sketch]);
+        assert_eq!(run.code, 2, "{sketch}: {}", run.stderr);
+        assert!(run.stderr.contains(says), "{sketch}: {}", run.stderr);
+        let checked = dir.run(&["check", sketch]);
+        assert_eq!(run.stderr, checked.stderr, "{sketch}");
+    }
+}
+
 #[test]
 fn the_delay_of_the_walls_law_is_not_that_of_the_log_and_said_so() {
     let dir = Dir::new();

@@ -201,3 +201,35 @@ fn the_array_jobs_of_the_documentation_run() {
     let read = |name: &str| std::fs::read(dir.path(name)).expect("a file");
     assert!(read("whole.parquet") == read("merged.parquet"));
 }
+
+/// A partial account is a file of bounded size: neither a device nor what a shell hands over takes all memory.
+#[cfg(unix)]
+#[test]
+fn what_has_no_end_is_no_partial_account() {
+    let dir = Dir::new();
+    dir.write(
+        "scene.toml",
+        "[dimensionless]\nbeta = \"3/5\"\nsigma = \"1/5\"\n",
+    );
+    for (part, says) in [
+        ("/dev/zero", "this is a pipe or a device"),
+        ("/dev/stdin", "at most 67108864 bytes"),
+        ("none.json", "there is no such file"),
+    ] {
+        let command = format!(
+            "'{}' audit --merge {part} --scene scene.toml < /dev/zero",
+            env!("CARGO_BIN_EXE_passivity")
+        );
+        let run = std::process::Command::new("sh")
+            .args(["-c", &command])
+            .current_dir(dir.path("."))
+            .output()
+            .expect("a shell");
+        let error = String::from_utf8(run.stderr).unwrap();
+        assert_eq!(run.status.code(), Some(2), "{part}: {error}");
+        assert!(
+            error.contains(part) && error.contains(says),
+            "{part}: {error}"
+        );
+    }
+}

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use passivity_scene::parse::bytes_of;
+
 use crate::error::CaseError;
 
 /// A file of a case is no larger than this.
@@ -15,15 +17,5 @@ pub(crate) fn read_text(path: &Path, most: u64) -> Result<String, CaseError> {
 
 /// The bytes of a file of at most `most` bytes.
 pub(crate) fn read_bytes(path: &Path, most: u64) -> Result<Vec<u8>, CaseError> {
-    use std::io::Read as _;
-    let file = std::fs::File::open(path).map_err(|error| CaseError::io(path, &error))?;
-    let mut bytes = Vec::new();
-    let read = file.take(most + 1).read_to_end(&mut bytes);
-    let read = read.map_err(|error| CaseError::io(path, &error))?;
-    if u64::try_from(read).is_ok_and(|read| read <= most) {
-        Ok(bytes)
-    } else {
-        let what = format!("expected at most {most} bytes");
-        Err(CaseError::within(path, what))
-    }
+    bytes_of(path, most).map_err(|why| CaseError::within(path, why))
 }

@@ -1,7 +1,5 @@
 //! Identification: friction and inertia of a device from logs of its motion.
 
-use std::fs::File;
-use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use passivity_audit::dialects;
@@ -9,8 +7,8 @@ use passivity_identify::{
     Identified, IdentifyError, Inertia, LogReport, Options, Provenance, Report, TraceError,
     identify as search, read, read_sketch, sha256,
 };
-use passivity_scene::parse::MAX_BYTES;
-use passivity_scene::{Scene, SceneError, files};
+use passivity_scene::parse::named_text;
+use passivity_scene::{Scene, files};
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 use toml_edit::{Array, DocumentMut, InlineTable, Item, Table, Value};
@@ -150,40 +148,11 @@ fn answer(
 
 /// The name and the text of a sketch. What is no text of a scene is refused as every scene is.
 fn text_of(py: Python<'_>, sketch: &Source) -> PyResult<(String, String)> {
-    let path = match sketch {
-        Source::Path(path) => path,
-        Source::Text(text) => return Ok(("scene".to_owned(), text.clone())),
-        Source::Object(text) => return Ok(("scene".to_owned(), toml_of(text)?)),
-    };
-    // Opening a pipe would wait for someone to write to it, but for one that was handed over open.
-    let is_open = path.starts_with("/dev") || path.starts_with("/proc");
-    let there = path.metadata();
-    let mut bytes = Vec::new();
-    let mut read = |file: File| file.take(MAX_BYTES + 1).read_to_end(&mut bytes);
-    if !there.is_ok_and(|it| it.is_file() || (is_open && !it.is_dir()))
-        || File::open(path).and_then(&mut read).is_err()
-    {
-        return refused(py, Scene::read(path));
+    match sketch {
+        Source::Path(path) => named_text(path).map_err(|error| of_scene(py, &error)),
+        Source::Text(text) => Ok(("scene".to_owned(), text.clone())),
+        Source::Object(text) => Ok(("scene".to_owned(), toml_of(text)?)),
     }
-    match std::str::from_utf8(&bytes) {
-        Ok(text) if text.len() as u64 <= MAX_BYTES => {
-            let name = path.file_stem().unwrap_or_default().to_string_lossy();
-            Ok((name.into_owned(), text.to_owned()))
-        }
-        _ => refused(
-            py,
-            Scene::from_reader(&path.display().to_string(), bytes.as_slice()),
-        ),
-    }
-}
-
-/// Why a file is no scene.
-fn refused<T>(py: Python<'_>, read: Result<Scene, SceneError>) -> PyResult<T> {
-    Err(match read {
-        Err(error) => of_scene(py, &error),
-        // It changed between two looks.
-        Ok(_) => PyOSError::new_err("sketch: the file changed while it was read"),
-    })
 }
 
 /// The text of a sketch that is a mapping: a section for each of its own mappings.

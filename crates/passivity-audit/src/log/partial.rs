@@ -7,6 +7,7 @@
 use std::path::{Path, PathBuf};
 
 use passivity_scene::Scene;
+use passivity_scene::parse::bytes_of;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
@@ -56,6 +57,20 @@ struct SavedDialect {
 }
 
 impl Partial {
+    /// The largest file, in bytes: a hundred times what the account of a log with a thousand columns needs.
+    const MAX_BYTES: u64 = 64 << 20;
+
+    /// Reads a file with what [`to_json`](Self::to_json) writes.
+    ///
+    /// # Errors
+    ///
+    /// A file that cannot be read or is larger than 64 MiB, and as [`from_json`](Self::from_json).
+    pub fn read(path: &Path) -> Result<Self, TraceError> {
+        let bytes = bytes_of(path, Self::MAX_BYTES).map_err(|why| TraceError::new("io", why))?;
+        let text = std::str::from_utf8(&bytes).map_err(|error| wrong(&error.to_string()))?;
+        Self::from_json(text)
+    }
+
     /// Reads what [`to_json`](Self::to_json) writes.
     ///
     /// # Errors

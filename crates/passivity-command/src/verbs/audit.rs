@@ -256,8 +256,7 @@ fn merged(args: &Args, scene: &Scene) -> Result<Audit, Failure> {
     let mut parts = Vec::new();
     for path in &args.merge {
         let name = path.display().to_string();
-        let text = std::fs::read_to_string(path).map_err(|error| Failure::io(&name, &error))?;
-        let part = Partial::from_json(&text);
+        let part = Partial::read(path);
         let part = part.map_err(|error| Failure::input(format!("{name}: {error}")))?;
         parts.push((name, part));
     }

@@ -11,10 +11,11 @@ use passivity_identify::{
 #[cfg(feature = "plot")]
 use passivity_plot::save;
 use passivity_scene::Scene;
+use passivity_scene::parse::named_text;
 
 use crate::exit::{Exit, Failure};
 use crate::files::may_be_written;
-use crate::output::{Format, emit, emit_json, tell};
+use crate::output::{Format, emit, emit_json, look, tell};
 use crate::progress::Progress;
 use crate::typed::refusal;
 use crate::verbs::audit::delimiter;
@@ -223,20 +224,8 @@ fn write(
 
 /// The text of the sketch, and what it says.
 fn sketch(path: &Path) -> Result<(String, Scene), Failure> {
-    /// As of a scene.
-    const MOST: u64 = passivity_scene::parse::MAX_BYTES;
-    let failed = |error: std::io::Error| Failure::io(path.display(), &error);
-    let size = path.metadata().map_err(failed)?.len();
-    if size > MOST {
-        return Err(Failure::input(format!(
-            "{}: larger than {MOST} bytes",
-            path.display()
-        )));
-    }
-    let text = std::fs::read_to_string(path).map_err(failed)?;
-    let name = path
-        .file_stem()
-        .map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    let read = named_text(path);
+    let (name, text) = read.map_err(|error| Failure::Scene(error.render(look())))?;
     let sketch = read_sketch(&name, &text);
     let sketch = sketch.map_err(|error| Failure::input(format!("{}: {error}", path.display())))?;
     Ok((text, sketch))

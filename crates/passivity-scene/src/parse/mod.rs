@@ -46,12 +46,32 @@ use crate::scene::{Given, Motion, Scene};
 /// The largest scene file, in bytes: a thousand times what a scene needs.
 pub const MAX_BYTES: u64 = 256 << 10;
 
-/// The contents of a file, unless it is longer than `most` bytes.
-pub(crate) fn bytes_of(path: &Path, most: u64) -> Result<Vec<u8>, String> {
+/// The contents of a regular file, or of what a shell hands over, unless it is longer than `most` bytes: at most so many
+/// are taken from what has no end.
+///
+/// # Errors
+///
+/// In words, why it cannot be read, and what was expected.
+pub fn bytes_of(path: &Path, most: u64) -> Result<Vec<u8>, String> {
     file::read(path, most).map_err(|diagnostic| match diagnostic.expected {
         Some(expected) => format!("{}, expected {expected}", diagnostic.message),
         None => diagnostic.message,
     })
+}
+
+/// The name of a scene by its file, and the text of the file, for readers that need it beside the scene.
+///
+/// # Errors
+///
+/// [`SceneError`] where the file cannot be read, is larger than [`MAX_BYTES`], or is no text in UTF-8.
+pub fn named_text(path: &Path) -> Result<(String, String), SceneError> {
+    let shown = path.display().to_string();
+    let refuse =
+        |text: &str, diagnostic: Diagnostic| SceneError::new(&shown, text, vec![diagnostic]);
+    let bytes = file::read(path, MAX_BYTES).map_err(|diagnostic| refuse("", *diagnostic))?;
+    let text = file::text(bytes).map_err(|(text, diagnostic)| refuse(&text, *diagnostic))?;
+    let name = path.file_stem().map(|stem| stem.to_string_lossy());
+    Ok((name.as_deref().unwrap_or("scene").to_owned(), text))
 }
 
 impl Scene {
@@ -289,15 +309,10 @@ fn of_text(text: &str, problems: Vec<Diagnostic>) -> SceneError {
 type Build<T> = fn(&str, Vec<Entry>, Option<&Path>) -> Result<T, Vec<Diagnostic>>;
 
 fn read<T>(path: &Path, build: Build<T>) -> Result<T, SceneError> {
-    let shown = path.display().to_string();
-    let refuse = |diagnostic: Box<Diagnostic>| SceneError::new(&shown, "", vec![*diagnostic]);
-    let bytes = file::read(path, MAX_BYTES).map_err(refuse)?;
-    let text = file::text(bytes)
-        .map_err(|(text, diagnostic)| SceneError::new(&shown, &text, vec![*diagnostic]))?;
-    let name = path.file_stem().map(|stem| stem.to_string_lossy());
+    let (name, text) = named_text(path)?;
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
-    let name = name.as_deref().unwrap_or("scene");
-    parse((&shown, name), &text, Some(folder), build)
+    let shown = path.display().to_string();
+    parse((&shown, &name), &text, Some(folder), build)
 }
 
 fn from_reader<T>(
