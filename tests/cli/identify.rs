@@ -428,6 +428,8 @@ fn what_is_said_of_a_recording_is_asked_for_at_once() {
         ("--date", "2026-02-30", day),
         ("--device", "", device),
         ("--device", " - ", device),
+        ("--device", "TODO", device),
+        ("--device", "xxx", device),
         (
             "--count-error",
             "1/2",

@@ -44,6 +44,6 @@ pub use log::{
     audit_files, audit_part, dialects, is_day, legible, merge_parts, samples,
 };
 pub use number::Number;
-pub use provenance::{is_blank, is_placeholder};
+pub use provenance::{is_device, is_placeholder};
 pub use reading::{Reading, Scaled};
 pub use shell::{delimiter_name, notation_options, shell_word};

@@ -317,6 +317,10 @@ fn what_is_missing_or_wrong_is_one_error_with_its_place() {
             "--device",
         ),
         (
+            vec!["--log", &log, "--device", "xxx", "--date", "2026-11-20"],
+            "--device",
+        ),
+        (
             vec!["--log", &log, "--device", "d", "--date", "2026-02-30"],
             "2026-02-30",
         ),
@@ -386,4 +390,9 @@ fn what_is_missing_or_wrong_is_one_error_with_its_place() {
     assert_eq!(run.code, 0, "{}", run.stderr);
     let logs = scene(&run)["recorded"]["logs"].clone();
     assert_eq!(logs[1]["source"]["date"], "2026-11-21");
+    // A device may have any word in its name, as for `passivity identify`.
+    let words = ["case", &path, "--out", "named", "--log", &log];
+    let said = ["--device", "rig XXX-7", "--date", "2026-11-20"];
+    let run = dir.run(&[&words[..], &said].concat());
+    assert_eq!(run.code, 0, "{}", run.stderr);
 }

@@ -10,7 +10,7 @@ mod log;
 
 use std::path::Path;
 
-use passivity_audit::{Columns, Dialect, dialects, is_day, is_placeholder, legible};
+use passivity_audit::{Columns, Dialect, dialects, is_day, is_device, legible};
 use passivity_evidence::Sha256;
 use passivity_scene::Scene;
 use serde::{Deserialize, Serialize};
@@ -187,7 +187,7 @@ impl Recorded {
 impl Recordings {
     /// What a person has to say is said.
     fn validate(&self) -> Result<(), CaseError> {
-        if is_placeholder(&self.device) {
+        if !is_device(&self.device) {
             return Err(CaseError::new(
                 "--device: expected which device was recorded, such as its name and serial number",
             ));

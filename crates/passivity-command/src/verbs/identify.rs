@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use passivity_audit::{Columns, Dialect, dialects, is_blank, is_day};
+use passivity_audit::{Columns, Dialect, dialects, is_day, is_device};
 use passivity_core::Effect;
 use passivity_identify::{
     Identified, Inertia, LogReport, Options, Provenance, Report, Sampled, identify, read,
@@ -113,9 +113,9 @@ enum Mass {
 
 /// Reads which device was recorded, for which a case asks too.
 fn device(text: &str) -> Result<String, &'static str> {
-    match is_blank(text) {
-        true => Err("expected which device was recorded, such as its name and serial number"),
-        false => Ok(text.to_owned()),
+    match is_device(text) {
+        true => Ok(text.to_owned()),
+        false => Err("expected which device was recorded, such as its name and serial number"),
     }
 }
 
