@@ -1,5 +1,7 @@
 //! What is asked of an identification.
 
+use std::ops::RangeInclusive;
+
 /// What the inertia is taken to be.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Inertia {
@@ -37,6 +39,9 @@ impl Default for Options {
 }
 
 impl Options {
+    /// How much work may be asked for, in millions of intervals of motion.
+    pub const MILLIONS: RangeInclusive<u64> = 1..=100_000;
+
     /// How much work the search is, unless another bound is asked for: more for logs of many rows.
     #[must_use]
     pub fn effort_for(rows: usize) -> u64 {

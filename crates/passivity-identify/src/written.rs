@@ -1,5 +1,6 @@
 //! The scene that is written: the sketch with what is known of the device.
 
+use passivity_audit::{is_day, is_device, legible};
 use passivity_core::{BigRational, Parameter};
 use passivity_scene::{Motion, Scene, SceneError};
 use toml_edit::{Decor, DocumentMut, Item, Table, Value, value};
@@ -25,10 +26,44 @@ const WALLS: [&str; 2] = ["1 N m/rad", "1 N/m"];
 pub struct Provenance {
     /// The logs.
     pub logs: Vec<LogReport>,
-    /// Which device it was.
-    pub device: Option<String>,
-    /// When it was recorded.
-    pub date: Option<String>,
+    device: Option<String>,
+    date: Option<String>,
+}
+
+impl Provenance {
+    /// Which device was recorded and on which day, as far as somebody says so; of no logs yet.
+    ///
+    /// # Errors
+    ///
+    /// [`IdentifyError`] for a text that names no device, or is no day.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_identify::Provenance;
+    ///
+    /// let said = |device: &str, date: &str| Provenance::new(Some(device.to_owned()), Some(date.to_owned()));
+    /// assert!(said("rig XXX-7", "2026-11-20").is_ok() && Provenance::new(None, None).is_ok());
+    /// let error = said("rig XXX-7", "today").unwrap_err().to_string();
+    /// assert_eq!(error, "date: expected a day such as 2026-11-20, found `today`");
+    /// assert!(said("TODO", "2026-11-20").unwrap_err().to_string().starts_with("device: "));
+    /// ```
+    pub fn new(device: Option<String>, date: Option<String>) -> Result<Self, IdentifyError> {
+        let wrong = |name: &str, expected: &str, found: &str| {
+            let found = legible(found);
+            let message = format!("{name}: expected {expected}, found `{found}`");
+            Err(IdentifyError::new(message))
+        };
+        if let Some(text) = device.as_deref().filter(|text| !is_device(text)) {
+            let expected = "which device was recorded, such as its name and serial number";
+            return wrong("device", expected, text);
+        }
+        if let Some(text) = date.as_deref().filter(|text| !is_day(text)) {
+            return wrong("date", "a day such as 2026-11-20", text);
+        }
+        let logs = Vec::new();
+        Ok(Self { logs, device, date })
+    }
 }
 
 /// Reads a sketch: a scene, perhaps without a wall.

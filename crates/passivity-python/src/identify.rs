@@ -63,12 +63,14 @@ pub(crate) fn identify(
     if let Some(out) = &out {
         can_be_written(out, &inputs)?;
     }
+    let said = Provenance::new(asked.device, asked.date);
+    let mut said = said.map_err(|error| PyValueError::new_err(error.to_string()))?;
     let (columns, delimiter) = (asked.columns.as_deref(), asked.delimiter.as_deref());
     let dialect = dialect(py, columns, delimiter, asked.decimal_comma)?;
     let (name, text) = text_of(py, &sketch)?;
     let scene = read_sketch(&name, &text).map_err(|error| of_scene(py, &error))?;
     let answer = follow(py, progress.as_ref(), move |watch| {
-        let (mut sampled, mut hashed) = (Vec::new(), Vec::new());
+        let mut sampled = Vec::new();
         let refused = |path: &Path, error: TraceError| {
             let file = Some(path.display().to_string());
             Failed::Log(TraceError { file, ..error })
@@ -79,7 +81,7 @@ pub(crate) fn identify(
         for (path, dialect) in logs.iter().zip(&each) {
             let log = read(path, &scene, dialect).map_err(|error| refused(path, error))?;
             let hash = sha256(path);
-            hashed.push(LogReport {
+            said.logs.push(LogReport {
                 file: path.display().to_string(),
                 sha256: hash.map_err(|error| failed(path, &error))?,
             });
@@ -100,11 +102,6 @@ pub(crate) fn identify(
         };
         let found = search(&sampled, &scene, &options, |steps| watch.set(steps));
         let found = found.map_err(Failed::Search)?;
-        let said = Provenance {
-            logs: hashed,
-            device: asked.device,
-            date: asked.date,
-        };
         answer(&found, &scene, &text, said, out.as_deref())
     })?;
     answer.map_err(|error| match error {

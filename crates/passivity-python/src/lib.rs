@@ -36,6 +36,8 @@ fn _passivity(module: &Bound<'_, PyModule>) -> PyResult<()> {
     let py = module.py();
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add("MAX_INTERVALS", passivity_scene::parse::MAX_INTERVALS)?;
+    let effort = passivity_identify::Options::MILLIONS;
+    module.add("EFFORT", effort.into_inner())?;
     module.add("SceneError", py.get_type::<SceneError>())?;
     module.add("TraceError", py.get_type::<TraceError>())?;
     module.add("SimulationError", py.get_type::<SimulationError>())?;

@@ -165,6 +165,17 @@ class Places(InFolder):
         with open(out, encoding="utf-8") as file:
             self.assertIn("# Recorded: 2024-05-01\n", file.read())
 
+    def test_what_is_said_of_a_recording(self):
+        log = self.path("push.csv", PUSH)
+        for day in ("2024-05-01", datetime.date(2024, 5, 1), datetime.datetime(2024, 5, 1, 12, 30)):
+            found = passivity.identify(log, SKETCH, effort=5, date=day)
+            self.assertIn("# Recorded: 2024-05-01\n", found.toml)
+        for name, value in (("date", "today"), ("date", ""), ("device", " - "), ("device", "TODO")):
+            with self.assertRaisesRegex(ValueError, f"^{name}: expected .*, found `{value}`$"):
+                passivity.identify("none.csv", SKETCH, **{name: value})
+        with self.assertRaisesRegex(ValueError, "^effort: expected a whole number from 1 to 100000, found 0$"):
+            passivity.identify(log, SKETCH, effort=0)
+
     def test_a_folder_that_is_not_there_is_refused_before_the_search(self):
         log, told = self.path("push.csv", PUSH), []
         for out in (os.path.join(self.folder, "nowhere", "device.toml"), os.path.join(log, "device.toml")):

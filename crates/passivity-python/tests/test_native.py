@@ -276,9 +276,9 @@ class Identify(InFolder):
 
     def test_a_scene_is_written(self):
         log, out = self.path("push.csv", pushed()), self.path("device.toml")
-        found = passivity.identify(log, SKETCH, effort=5, out=out, device="knob 3", date="today")
+        found = passivity.identify(log, SKETCH, effort=5, out=out, device="knob 3", date="2026-11-22")
         self.assertEqual(self.read(out), found.toml)
-        self.assertIn("# Device: knob 3\n# Recorded: today\n", found.toml)
+        self.assertIn("# Device: knob 3\n# Recorded: 2026-11-22\n", found.toml)
         with self.assertRaises(ValueError):
             passivity.identify(log, SKETCH, out=log)
         self.assertEqual(self.read(log), pushed())

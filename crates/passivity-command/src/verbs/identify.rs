@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use passivity_audit::{Columns, Dialect, dialects, is_day, is_device};
+use passivity_audit::{Columns, Dialect, dialects};
 use passivity_core::Effect;
 use passivity_identify::{
     Identified, Inertia, LogReport, Options, Provenance, Report, Sampled, identify, read,
@@ -76,7 +76,7 @@ pub(crate) struct Args {
     inertia: Mass,
     /// How much work the search for the bounds may be, in millions of sampling intervals of motion; when it
     /// is spent, the bounds are wider, and as sure. By default 20, or a thousandth of the number of rows if that is more.
-    #[arg(long, value_name = "MILLIONS", allow_negative_numbers = true, value_parser = crate::args::whole(1..=100_000_u64))]
+    #[arg(long, value_name = "MILLIONS", allow_negative_numbers = true, value_parser = crate::args::whole(Options::MILLIONS))]
     effort: Option<u64>,
     /// Say which columns are read: `role=name`, as for `passivity audit`.
     #[arg(long, value_name = "COLUMNS")]
@@ -88,10 +88,10 @@ pub(crate) struct Args {
     #[arg(long)]
     decimal_comma: bool,
     /// The name of the device, for the scene that is written.
-    #[arg(long, value_name = "NAME", value_parser = device)]
+    #[arg(long, value_name = "NAME")]
     device: Option<String>,
     /// The day on which the logs were recorded, such as 2026-11-20, for the scene that is written.
-    #[arg(long, value_name = "DATE", value_parser = day)]
+    #[arg(long, value_name = "DATE")]
     date: Option<String>,
     /// Draw what was measured beside what is simulated, and the parameters that fit, as SVG or PNG.
     #[arg(long, value_name = "FILE", value_parser = crate::picture::path)]
@@ -111,24 +111,10 @@ enum Mass {
     Free,
 }
 
-/// Reads which device was recorded, for which a case asks too.
-fn device(text: &str) -> Result<String, &'static str> {
-    match is_device(text) {
-        true => Ok(text.to_owned()),
-        false => Err("expected which device was recorded, such as its name and serial number"),
-    }
-}
-
-/// Reads a day, as a case asks for it.
-fn day(text: &str) -> Result<String, &'static str> {
-    match is_day(text) {
-        true => Ok(text.to_owned()),
-        false => Err("expected a day such as 2026-11-20"),
-    }
-}
-
 /// Identifies and reports.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
+    let said = Provenance::new(args.device.clone(), args.date.clone());
+    let mut said = said.map_err(|error| Failure::input(format!("--{error}")))?;
     let inputs: Vec<PathBuf> = args.logs.iter().chain([&args.scene]).cloned().collect();
     let outputs = [("--out", args.out.as_ref()), ("--plot", args.plot.as_ref())];
     may_be_written(&outputs, &inputs, "identification")?;
@@ -141,6 +127,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         ));
     }
     let (logs, files) = logs(args, &sketch)?;
+    said.logs = files;
     let rows = logs.iter().map(|log| log.positions.len()).sum();
     let options = Options {
         count_error: args.count_error,
@@ -180,13 +167,13 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         let picture = found.picture(&title).map_err(Failure::input)?;
         save(&picture, path).map_err(Failure::input)?;
     }
-    let report = Report::new(&sketch, &found, files.clone());
+    let report = Report::new(&sketch, &found, said.logs.clone());
     match args.format {
         Format::Text => emit(&report.to_text(sketch.motion))?,
         Format::Json => emit_json(&report)?,
     }
     if let Some(out) = &args.out {
-        write(out, &text, &found, files, args)?;
+        write(out, &text, &found, &said)?;
     }
     Ok(match found.is_bounded() {
         true => Exit::Holds,
@@ -195,23 +182,12 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
 }
 
 /// Writes the scene, or says why there is none.
-fn write(
-    out: &Path,
-    text: &str,
-    found: &Identified,
-    logs: Vec<LogReport>,
-    args: &Args,
-) -> Result<(), Failure> {
+fn write(out: &Path, text: &str, found: &Identified, said: &Provenance) -> Result<(), Failure> {
     if let Some(why) = found.unwritten() {
         tell(&format!("{} is not written: {why}", out.display()));
         return Ok(());
     }
-    let said = Provenance {
-        logs,
-        device: args.device.clone(),
-        date: args.date.clone(),
-    };
-    let scene = found.scene(text, &said).map_err(Failure::input)?;
+    let scene = found.scene(text, said).map_err(Failure::input)?;
     crate::files::write(out, &scene)?;
     if Scene::from_toml("scene", &scene).is_err() {
         tell(&format!(

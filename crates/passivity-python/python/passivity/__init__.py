@@ -193,9 +193,9 @@ def identify(
     missing. ``count_error`` is by how many ticks a count may be off, ``force_error`` by how much the force may,
     in N or N m. ``effort`` is how much work the search may be, in millions of intervals of motion. ``columns``,
     ``delimiter`` and ``decimal_comma`` are those of :func:`audit`. ``out`` is a file for the scene that was
-    found, with ``device`` and ``date``, a text or a ``datetime.date``, noted in it. Where no scene can be written, as
-    nothing fits or a parameter has no bounds, ``toml`` of the answer is ``None``, no file is written, and a warning
-    (``UserWarning``) says why.
+    found, with ``device`` and ``date``, a day such as ``"2026-11-20"`` or a ``datetime.date``, noted in it. Where no
+    scene can be written, as nothing fits or a parameter has no bounds, ``toml`` of the answer is ``None``, no file is
+    written, and a warning (``UserWarning``) says why.
     ``progress`` is called with how much of the work is done, in intervals, and the most that it is where
     ``effort`` says so.
 
@@ -216,7 +216,7 @@ def identify(
     paths = _given.paths("logs", logs)
     if paths is None:
         raise TypeError("logs: expected the path of a log, or a list of paths")
-    effort, out = _given.whole("effort", effort, 1, 100_000), _given.path("out", out)
+    effort, out = _given.whole("effort", effort, *_passivity.EFFORT), _given.path("out", out)
     asked = {
         **_given.reading(columns, delimiter, decimal_comma),
         "count_error": _given.number("count_error", count_error),

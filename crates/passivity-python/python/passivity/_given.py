@@ -8,6 +8,7 @@ import re as _re
 from collections.abc import Iterable as _Iterable
 from collections.abc import Mapping as _Mapping
 from datetime import date as _date
+from datetime import datetime as _datetime
 from decimal import Decimal as _Decimal
 from fractions import Fraction as _Fraction
 from math import isfinite as _isfinite
@@ -81,7 +82,9 @@ def paths(name, value):
 
 
 def day(name, value):
-    """A date as text, or None."""
+    """A date as text, or None; of a time its day."""
+    if isinstance(value, _datetime):
+        value = value.date()
     return value.isoformat() if isinstance(value, _date) else text(name, value, "a text or a date")
 
 

@@ -3,6 +3,7 @@ from typing import Any
 
 __version__: str
 MAX_INTERVALS: int
+EFFORT: tuple[int, int]
 
 class SceneError(ValueError):
     line: int | None

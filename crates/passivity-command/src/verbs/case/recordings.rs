@@ -61,7 +61,7 @@ pub(super) struct Options {
     force_error: f64,
     /// How much work the identification may be, in millions of intervals of motion, as for
     /// `passivity identify`.
-    #[arg(long, value_name = "MILLIONS", allow_negative_numbers = true, value_parser = crate::args::whole(1..=100_000_u64), conflicts_with = "check")]
+    #[arg(long, value_name = "MILLIONS", allow_negative_numbers = true, value_parser = crate::args::whole(passivity_identify::Options::MILLIONS), conflicts_with = "check")]
     effort: Option<u64>,
 }
 
