@@ -4,6 +4,7 @@ use std::fs::File;
 use std::io;
 use std::path::Path;
 
+use passivity_scene::display::hexadecimal;
 use sha2::{Digest as _, Sha256};
 
 /// The SHA-256 of a file, in hexadecimal.
@@ -14,10 +15,5 @@ use sha2::{Digest as _, Sha256};
 pub fn sha256(path: &Path) -> io::Result<String> {
     let mut hasher = Sha256::new();
     io::copy(&mut File::open(path)?, &mut hasher)?;
-    let digits = hasher
-        .finalize()
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect();
-    Ok(digits)
+    Ok(hexadecimal(&hasher.finalize()))
 }

@@ -193,3 +193,15 @@ pub fn wrapped(text: &str, indent: usize) -> String {
 
 /// How wide the text for people is.
 pub const LINE: usize = 96;
+
+/// Bytes as hexadecimal digits, two of each, as a hash is written.
+///
+/// # Example
+///
+/// ```
+/// assert_eq!(passivity_scene::display::hexadecimal(&[0, 0x1f, 0xa0]), "001fa0");
+/// ```
+#[must_use]
+pub fn hexadecimal(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}

@@ -7,6 +7,7 @@
 use std::path::{Path, PathBuf};
 
 use passivity_scene::Scene;
+use passivity_scene::display::hexadecimal;
 use passivity_scene::parse::bytes_of;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
@@ -173,8 +174,7 @@ impl SavedDialect {
 
 /// What tells one scene from another.
 fn fingerprint(scene: &Scene) -> String {
-    let hash = Sha256::digest(format!("{scene:?}"));
-    hash.iter().map(|byte| format!("{byte:02x}")).collect()
+    hexadecimal(&Sha256::digest(format!("{scene:?}")))
 }
 
 /// The account of a stretch of a log in a file; CSV that is not compressed, or Parquet.

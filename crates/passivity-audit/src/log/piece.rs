@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use passivity_scene::Scene;
+use passivity_scene::display::hexadecimal;
 use sha2::{Digest as _, Sha256};
 
 use crate::ledger::Ledger;
@@ -193,8 +194,7 @@ fn identity(file: &mut File, len: u64) -> std::io::Result<String> {
         (&mut *file).take(ENDS).read_to_end(&mut bytes)?;
         hash.update(&bytes);
     }
-    let hash = hash.finalize();
-    Ok(hash.iter().map(|byte| format!("{byte:02x}")).collect())
+    Ok(hexadecimal(&hash.finalize()))
 }
 
 /// A stretch of a CSV file.

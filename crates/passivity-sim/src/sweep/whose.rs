@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use passivity_scene::Point;
+use passivity_scene::display::hexadecimal;
 
 use crate::error::SimError;
 use crate::sweep::disk::failed;
@@ -31,8 +32,7 @@ fn of_sweep(scene: &Point, grid: &Grid) -> String {
 /// SHA-256 as hexadecimal digits.
 pub(super) fn hash(text: &str) -> String {
     use sha2::Digest as _;
-    let hash = sha2::Sha256::digest(text);
-    hash.iter().map(|byte| format!("{byte:02x}")).collect()
+    hexadecimal(&sha2::Sha256::digest(text))
 }
 
 /// Whether the fingerprint beside a sweep that was left unfinished is that of the one asked for.
