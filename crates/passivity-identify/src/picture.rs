@@ -6,6 +6,7 @@ use passivity_plot::PlotError;
 use passivity_plot::frame::Frame;
 use passivity_plot::svg::{Anchor, BLACK, COLOURS, DARK, LIGHT, Pixel, Stroke, Svg, rectangle};
 use passivity_scene::Motion;
+use passivity_scene::check::unit_of;
 use passivity_scene::plane::Extent;
 
 use crate::estimate::residuals;
@@ -14,7 +15,7 @@ use crate::kept::Propagators;
 use crate::log::Log;
 use crate::motion::simulated;
 use crate::region::{COULOMB, Ends, Part, VISCOUS};
-use crate::report::{nearest, unit};
+use crate::report::nearest;
 
 const SIZE: [f64; 2] = [1240.0, 700.0];
 /// About how many points of a log are drawn.
@@ -262,20 +263,20 @@ impl Axis {
         motion: Motion,
     ) -> Self {
         let name = parameter.row().name;
-        let unit = match (unit(parameter, motion), parameter) {
-            ("", Parameter::Viscous) => " KT",
-            ("", _) => " KΔ",
+        let unit = match (unit_of(parameter, motion), parameter) {
+            ("", Parameter::Viscous) => "KT",
+            ("", _) => "KΔ",
             (unit, _) => unit,
         };
         if ends[1] - ends[0] > 0.01 * best {
             return Self {
-                words: format!("{name} in{unit}"),
+                words: format!("{name} in {unit}"),
                 origin: 0.0,
                 factor: si,
             };
         }
         Self {
-            words: format!("{name}, % from {}{unit}", nearest(said)),
+            words: format!("{name}, % from {} {unit}", nearest(said)),
             origin: best,
             factor: 100.0 / best,
         }

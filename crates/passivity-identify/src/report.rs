@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 
 use passivity_core::Parameter;
+use passivity_scene::check::unit_of;
 use passivity_scene::display::{Rounding, figures, rounded, significant};
 use passivity_scene::{Motion, Scene};
 use schemars::JsonSchema;
@@ -148,7 +149,7 @@ impl Report {
             (Parameter::Inertia, &self.parameters.inertia),
         ] {
             let Some(known) = known else { continue };
-            let range = range(known.lo, known.hi, unit(parameter, motion));
+            let range = range(known.lo, known.hi, unit_of(parameter, motion));
             let best = known.best.map_or_else(String::new, |best| {
                 format!("; best estimate {}", nearest(best))
             });
@@ -189,27 +190,25 @@ pub(crate) fn best_refuted(stopped_early: bool) -> String {
     )
 }
 
-/// The unit of a parameter after a space, as a scene writes it.
-pub(crate) fn unit(parameter: Parameter, motion: Motion) -> &'static str {
-    match (parameter, motion) {
-        (_, Motion::Dimensionless) => "",
-        (Parameter::Viscous, Motion::Linear) => " N s/m",
-        (Parameter::Viscous, Motion::Rotary) => " N m s/rad",
-        (Parameter::Coulomb, Motion::Linear) => " N",
-        (Parameter::Coulomb, Motion::Rotary) => " N m",
-        (_, Motion::Linear) => " kg",
-        (_, Motion::Rotary) => " kg m^2",
-    }
-}
-
 /// How many digits of a bound are written, and how many an estimate may need.
 pub(crate) const DIGITS: RangeInclusive<u8> = 6..=17;
 
 /// Bounds, rounded outwards, as a scene is given them; in words where nothing bounds above.
 pub(crate) fn range(lo: f64, hi: Option<f64>, unit: &str) -> String {
     match hi {
-        Some(hi) => format!("{} … {}{unit}", below(lo), above(hi)),
-        None => format!("at least {}{unit}; nothing bounds it above", below(lo)),
+        Some(hi) => with_unit(&format!("{} … {}", below(lo), above(hi)), unit),
+        None => format!(
+            "at least {}; nothing bounds it above",
+            with_unit(&below(lo), unit)
+        ),
+    }
+}
+
+/// A number before its unit, of which a dimensionless scene has none.
+pub(crate) fn with_unit(number: &str, unit: &str) -> String {
+    match unit {
+        "" => number.to_owned(),
+        unit => format!("{number} {unit}"),
     }
 }
 

@@ -2,11 +2,12 @@
 
 use passivity_audit::{is_day, is_device, legible};
 use passivity_core::{BigRational, Parameter};
+use passivity_scene::check::unit_of;
 use passivity_scene::{Motion, Scene, SceneError};
 use toml_edit::{Decor, DocumentMut, Item, Table, Value, value};
 
 use crate::identified::{Bounds, Identified, IdentifyError};
-use crate::report::{LogReport, nearest, range, unit};
+use crate::report::{LogReport, nearest, range, with_unit};
 
 /// How the lines begin of a comment that says where what was identified comes from, in their order; the last one may be
 /// there several times.
@@ -113,7 +114,7 @@ impl Identified {
     /// Bounds of a parameter, rounded outwards, as a scene is given them; in words where nothing bounds it above.
     #[must_use]
     pub fn range(&self, parameter: Parameter, bounds: &Bounds) -> String {
-        range(bounds.lo, bounds.hi, unit(parameter, self.motion))
+        range(bounds.lo, bounds.hi, unit_of(parameter, self.motion))
     }
 
     /// The sketch's text with what is known of the device, as ranges that surely hold it.
@@ -211,14 +212,13 @@ impl Identified {
                 "{mark}: {name} is surely in this range, if the device is one of the model (TH-IDENT)."
             )];
             if let Some(best) = bounds.best {
-                let unit = unit(*parameter, self.motion);
                 let refuted = if self.best_refuted {
                     ", refuted by the logs"
                 } else {
                     ""
                 };
-                let best = nearest(best);
-                lines.push(format!("{best_estimate}{name}: {best}{unit}{refuted}"));
+                let best = with_unit(&nearest(best), unit_of(*parameter, self.motion));
+                lines.push(format!("{best_estimate}{name}: {best}{refuted}"));
             }
             let given = said.device.iter().map(|text| (device, text));
             let given = given.chain(said.date.iter().map(|text| (recorded, text)));

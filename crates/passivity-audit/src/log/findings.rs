@@ -1,6 +1,8 @@
 //! What stands out in a log beside its account, each with the change to the scene or to the columns that
 //! puts it right.
 
+use passivity_core::Parameter;
+use passivity_scene::check::unit_of;
 use passivity_scene::display::{figures, significant};
 use passivity_scene::number::nearest_f64;
 use passivity_scene::{Motion, Scene};
@@ -244,13 +246,10 @@ pub(crate) fn off_one(scale: f64, x: f64) -> String {
 
 /// What makes the wall of a scene so many times as stiff.
 fn scaled(scale: f64, scene: &Scene) -> String {
-    let unit = match scene.motion {
-        Motion::Dimensionless => {
-            return "write the force in units of KΔ".to_owned();
-        }
-        Motion::Linear => "N/m",
-        Motion::Rotary => "N m/rad",
-    };
+    if scene.motion == Motion::Dimensionless {
+        return "write the force in units of KΔ".to_owned();
+    }
+    let unit = unit_of(Parameter::Stiffness, scene.motion);
     let stiffness = scene.given.stiffness.nominal.enclosure(64);
     let Some(stiffness) = stiffness.map(|range| nearest_f64(&range.middle())) else {
         return "correct the stiffness of the wall, or the unit of the force".to_owned();

@@ -345,12 +345,21 @@ pub(crate) fn short(x: &BigRational) -> String {
     }
 }
 
-/// A parameter's SI unit; empty for a dimensionless scene.
+/// A parameter's SI unit, as a scene file may write it; empty for a dimensionless scene.
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::Parameter;
+/// use passivity_scene::{Motion, check::unit_of};
+///
+/// assert_eq!(unit_of(Parameter::Inertia, Motion::Rotary), "kg m^2");
+/// ```
 #[must_use]
-pub(crate) fn unit_of(parameter: Parameter, motion: Motion) -> &'static str {
+pub fn unit_of(parameter: Parameter, motion: Motion) -> &'static str {
     use passivity_core::parameter::Unit;
     let [linear, rotary] = match parameter.row().unit {
-        Unit::INERTIA => ["kg", "kg m²"],
+        Unit::INERTIA => ["kg", "kg m^2"],
         Unit::VISCOUS => ["N s/m", "N m s/rad"],
         Unit::FORCE => ["N", "N m"],
         Unit::TIME => ["s", "s"],
