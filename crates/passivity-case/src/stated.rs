@@ -4,8 +4,9 @@
 use std::ops::Range;
 
 use passivity_core::Parameter;
-use passivity_scene::check::enclosure;
+use passivity_scene::check::{enclosure, unit_of};
 use passivity_scene::display::range;
+use passivity_scene::{Given, Motion};
 use toml::de::{DeTable, DeValue};
 
 use crate::study::{Source, Study};
@@ -17,7 +18,8 @@ pub struct Stated {
     pub key: String,
     /// The text in the file.
     pub text: String,
-    /// The value in SI units; `None` of what has no unit.
+    /// The value in SI units, as the criterion has it, and of what it is where the key is of something else, as of a rate or
+    /// of friction at the motor; `None` of what has no unit.
     pub si: Option<String>,
     /// Where it is from, as far as the file says.
     pub source: Source,
@@ -33,6 +35,23 @@ const OTHERS: [(&str, &[&str]); 6] = [
     ("controller", &[]),
     ("transmission", &[]),
 ];
+
+/// The value of a parameter in SI units, and of what it is where the file has another form of it.
+fn in_si(parameter: Parameter, given: &Given, motion: Motion) -> String {
+    let Some(value) = enclosure(&given.value) else {
+        return "undefined".to_owned();
+    };
+    let key = match (motion, parameter) {
+        (Motion::Linear, Parameter::Inertia) => "device.mass",
+        _ => parameter.row().key,
+    };
+    let of = match motion == Motion::Dimensionless || given.key == key {
+        true => String::new(),
+        false => format!("{key}: "),
+    };
+    let value = format!("{of}{} {}", range(&value), unit_of(parameter, motion));
+    value.trim_end().to_owned()
+}
 
 /// A key with its section, where it is in the file, and where its value is.
 type Place = (String, usize, Range<usize>);
@@ -63,8 +82,8 @@ impl Study {
     /// What the file says of the loop, in its order, with the source of each.
     #[must_use]
     pub fn stated(&self) -> Vec<Stated> {
-        let of_parameter = |(parameter, given): (Parameter, &passivity_scene::Given)| {
-            let si = enclosure(&given.value).map_or_else(|| "undefined".to_owned(), |x| range(&x));
+        let of_parameter = |(parameter, given): (Parameter, &Given)| {
+            let si = in_si(parameter, given, self.scene.motion);
             let stated = Stated {
                 key: given.key.to_owned(),
                 text: given.text.clone(),
@@ -127,6 +146,8 @@ mod tests {
         assert_eq!(study.unsourced(), open);
         let stated = study.stated();
         let find = |key: &str| stated.iter().find(|one| one.key == key).expect(key);
+        let si = |key: &str| find(key).si.clone().expect(key);
+        assert_eq!(si("device.viscous"), "1 N m s/rad");
         let ratio = find("transmission.ratio");
         assert_eq!(ratio.source, Source::Comment("drawing 7".to_owned()));
         assert_eq!((ratio.text.as_str(), &ratio.si), ("15:1", &None));
@@ -144,6 +165,11 @@ mod tests {
             let stated = study.stated();
             let keys = stated.iter().filter(|one| one.key.ends_with(".inertia"));
             assert_eq!(keys.count(), before + 1);
+            // At the device, 225 times as much.
+            let motor = stated.iter().find(|one| one.key == "motor.inertia");
+            let of_device = motor.and_then(|one| one.si.as_deref());
+            let says = ["device.inertia: 0.0002115 kg m^2", ""][before];
+            assert_eq!(of_device.unwrap_or_default(), says);
             let open = study.unsourced();
             assert!(open.contains(&"motor.inertia".to_owned()), "{open:?}");
             assert_eq!(open.len(), 4, "{open:?}");

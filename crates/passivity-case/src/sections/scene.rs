@@ -130,10 +130,10 @@ fn parameters(document: &mut Document, study: &Study) {
     }
     let caption = format!("Parameters of «{}» and their sources", study.name());
     let columns = [
-        ("Parameter", 27),
-        ("As given, with its tolerance", 25),
-        ("In SI units", 18),
-        ("Source", 30),
+        ("Parameter", 24),
+        ("As given, with its tolerance", 23),
+        ("In SI units, as the criterion has it", 25),
+        ("Source", 28),
     ];
     document.table(&caption, &columns, rows);
     for remark in &study.explanation.report.remarks {
