@@ -303,6 +303,8 @@ fn a_header_in_c() {
     assert_ne!(guard("стена"), guard("пружи"));
     let none = WALL.replace("\"1 N s/m\"", "\"0 N s/m\"");
     let code = source("none", &none, Target::C);
+    let own = "\n#define NONE_STIFFNESS 1000.0 /* N/m, the scene's: with NONE_DAMPING it is not shown to be passive */\n";
+    assert!(code.contains(own), "{code}");
     assert!(
         code.contains("\n/* NONE_MAX_STIFFNESS: no wall is passive */\n"),
         "{code}"

@@ -71,8 +71,14 @@ impl Constants {
             }
             false => "",
         };
+        let own = match (self.is_passive, self.target) {
+            (true, _) | (_, Target::Chai3d | Target::OpenHaptics) => "",
+            (false, Target::C) => {
+                ", but for the scene's own stiffness, which is not shown to be passive"
+            }
+        };
         say(&format!(
-            "Every number is a double on the safe side of what was proved.{tolerance}{largest}"
+            "Every number is a double on the safe side of what was proved{own}.{tolerance}{largest}"
         ));
         say(&format!(
             "The loop for which it was proved has {}.",
@@ -172,7 +178,13 @@ impl Constants {
         let stiffness = self.unit(Parameter::Stiffness);
         let damping = self.unit(Parameter::Damping);
         let own = |unit: &str| format!("{unit}{}", self.with(""));
-        define("STIFFNESS", Some(self.stiffness), &own(stiffness), "");
+        let of_stiffness = match self.is_passive {
+            true => own(stiffness),
+            false => format!(
+                "{stiffness}, the scene's: with {name}_DAMPING it is not shown to be passive"
+            ),
+        };
+        define("STIFFNESS", Some(self.stiffness), &of_stiffness, "");
         define(
             "MAX_STIFFNESS",
             self.max_stiffness,
