@@ -89,6 +89,26 @@ fn a_log_that_holds_is_evidence_with_its_hash_length_and_figures() {
     assert!(element(&dir, "S-energy").contains("G-recorded"));
 }
 
+/// A ledger has no times, and says how long its intervals are.
+#[test]
+fn a_log_whose_intervals_say_how_long_they_are_is_not_one_without_times() {
+    let dir = Dir::new();
+    let path = dir.write("scene.toml", SCENE);
+    let mut texts = ["xi0,xi1,dtau\n0,1/4,2\n1/4,0,1\n", "xi\n0\n1/4\n0\n"].map(|text| {
+        let log = dir.write("run.csv", text);
+        case(&dir, &path, &["--log", &log]);
+        read(&dir, "case/case.html")
+    });
+    let says = [
+        "2 … 4 sampling periods, by how long its shortest and its longest intervals last",
+        "sampling period: the log has no times",
+    ];
+    for (text, says) in texts.iter_mut().zip(says) {
+        *text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains(says), "{says}");
+    }
+}
+
 #[test]
 fn a_log_that_contradicts_leaves_the_top_goal_unsupported() {
     let dir = Dir::new();

@@ -76,9 +76,16 @@ impl Log {
         };
         let [lo, hi] = self.duration.each_ref().map(|end| end * &period);
         let text = format!("{} {unit}", range(&Interval::hull(lo, hi)));
-        match self.is_timed {
-            true => format!("{text}, by the times in the log"),
-            false => format!("{text}, by the scene's sampling period: the log has no times"),
+        match (self.is_timed, &self.report.timing) {
+            (true, _) => format!("{text}, by the times in the log"),
+            (false, Some(_)) => {
+                format!(
+                    "{text}, by how long its shortest and its longest intervals last, of which the log tells"
+                )
+            }
+            (false, None) => {
+                format!("{text}, by the scene's sampling period: the log has no times")
+            }
         }
     }
 

@@ -40,7 +40,7 @@ each of which may be left out.
 Exit codes: 0 every scene is passive and every log supports it (with --check: the case is current,
 whatever it says); 1 not, or with --strict something is stale, missing, open or defeated; 2 bad
 input, or --pdf found no browser to print with (the rest of the case is written); 3 a scene has an
-effect that no theorem covers.")]
+effect that no theorem covers, or that the account of a log leaves out.")]
 pub(crate) struct Args {
     /// Scene files.
     #[arg(
