@@ -68,11 +68,11 @@ fn verdict(document: &mut Document, study: &Study) {
     }
     row(
         "Colgate's condition b ≥ KT/2, for comparison",
-        comparison(report.colgate).to_owned(),
+        comparison(report.colgate, &report.effects),
     );
     row(
         "The condition of Abbott and Okamura, for comparison",
-        comparison(report.abbott_okamura).to_owned(),
+        comparison(report.abbott_okamura, &report.effects),
     );
     let caption = format!(
         "Figures of «{}», exact or exactly enclosed over the tolerances, printed to five digits",

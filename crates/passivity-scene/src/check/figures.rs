@@ -1,9 +1,21 @@
 //! The figures of a box of loops: the least and the largest value of each over the tolerances.
 
 use passivity_core::verdict::End;
-use passivity_core::{Criterion, Enclosed, Interval, Loop, Parameter, Region, Truth, region};
+use passivity_core::{
+    Criterion, Effect, Enclosed, Interval, Loop, Parameter, Region, Truth, region,
+};
 
 use super::BITS;
+
+/// The effects with which conditions of others, made for a wall that acts at once and has no damping but a plain one, do
+/// not apply.
+pub(super) const NOT_COMPARED: [Effect; 5] = [
+    Effect::Delay,
+    Effect::Latency,
+    Effect::DampingFilter,
+    Effect::Controller,
+    Effect::Amplifier,
+];
 
 /// A box of loops whose figures are asked for.
 ///
@@ -220,8 +232,7 @@ impl<'a, S: Enclosed> Figures<'a, S> {
         self.range(worst, |piece| over_corners(piece, &figure))
     }
 
-    /// b ≥ KT/2 + B, for comparison; `None` where it does not apply: with a delay, a latency, a filter
-    /// on the damping, a controller or an amplifier.
+    /// b ≥ KT/2 + B, for comparison; `None` where it does not apply ([`NOT_COMPARED`]).
     pub(super) fn colgate(&self) -> Option<Truth> {
         let margin = |corner: &Loop<S>| {
             let damping = corner.damping.clone().unwrap_or_else(S::zero);
@@ -233,12 +244,12 @@ impl<'a, S: Enclosed> Figures<'a, S> {
     }
 
     /// Whether conditions for a wall that acts at once, with no damping but a plain one, apply.
-    const fn is_compared(&self) -> bool {
-        self.bounds.delay == 0 && !self.bounds.has_computed_costs()
+    fn is_compared(&self) -> bool {
+        !NOT_COMPARED.iter().any(|effect| self.bounds.has(*effect))
     }
 
     /// K ≤ min(2b/T, 2c/Δ), for comparison; without an encoder K ≤ 2b/T, and `None` where it does
-    /// not apply because of a delay.
+    /// not apply ([`NOT_COMPARED`]).
     pub(super) fn abbott_okamura(&self) -> Option<Truth> {
         let margin = |corner: &Loop<S>| {
             let viscous = corner.viscous_friction() - corner.viscous_unit().half();

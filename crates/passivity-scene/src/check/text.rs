@@ -3,6 +3,7 @@
 use passivity_core::{BigRational, Effect, Interval, Parameter, Region, Truth};
 
 use super::decide::Verdict;
+use super::figures::NOT_COMPARED;
 use super::limits::{Limit, Side};
 use super::lines::{Lines, headline, limits_heading};
 use super::report::Report;
@@ -46,8 +47,12 @@ impl Report {
         }
         line("what binds", &self.binds_text());
         self.add_stiffest(&mut lines);
-        lines.add("Colgate, b ≥ KT/2", comparison(self.colgate));
-        lines.add("Abbott and Okamura", comparison(self.abbott_okamura));
+        for (name, truth) in [
+            ("Colgate, b ≥ KT/2", self.colgate),
+            ("Abbott and Okamura", self.abbott_okamura),
+        ] {
+            lines.add(name, &comparison(truth, &self.effects));
+        }
         lines.add_grounds(&self.effects, &self.because, &self.remarks);
         if let Some(text) = self.unforced_text() {
             lines.add("with the hand off", &text);
@@ -309,12 +314,16 @@ impl Limit {
     }
 }
 
-/// What a condition that is only for comparison says, in words.
+/// What a condition that is only for comparison says, in words; where it does not apply, because of which of the scene's effects.
 #[must_use]
-pub fn comparison(truth: Option<Truth>) -> &'static str {
-    truth.map_or(
-        "does not apply: delay, filter, controller or amplifier",
-        Truth::name,
+pub fn comparison(truth: Option<Truth>, effects: &[Effect]) -> String {
+    truth.map_or_else(
+        || {
+            let mut effects = effects.to_vec();
+            effects.retain(|effect| NOT_COMPARED.contains(effect));
+            format!("does not apply: {}", words(&effects))
+        },
+        |truth| truth.name().to_owned(),
     )
 }
 

@@ -101,12 +101,49 @@ fn a_witness_keeps_below_the_speed_bound() {
     }
 }
 
+/// What keeps the conditions of others from applying is named, and nothing that the scene lacks.
 #[test]
-fn comparisons_do_not_apply_to_a_delay() {
-    let late = dimensionless("2", "2", "[sampling]\ndelay = 1\n");
-    assert_eq!((late.colgate, late.abbott_okamura), (None, None));
-    let text = late.to_text();
-    assert!(text.contains("does not apply: delay, filter, controller or amplifier"));
+fn comparisons_do_not_apply_to_what_acts_late_or_is_filtered() {
+    let filter = "[wall]\ndamping = \"1/10\"\ndamping_time_constant = \"1\"\n";
+    for (extra, why) in [
+        ("[sampling]\ndelay = 1\n", "delay of whole samples"),
+        (
+            "[sampling]\nlatency = \"1/2\"\n",
+            "latency before the output changes",
+        ),
+        (filter, "one-pole filter on the virtual damping"),
+        (
+            "[controller]\nnumerator = [\"1\"]\ndenominator = [\"1\"]\n",
+            "a digital controller",
+        ),
+        (
+            "[amplifier]\ntime_constant = \"1/3\"\n",
+            "first-order lag of the amplifier",
+        ),
+        (
+            "[sampling]\ndelay = 1\nlatency = \"1/2\"\n",
+            "delay of whole samples; latency before the output changes",
+        ),
+    ] {
+        let report = dimensionless("2", "2", extra);
+        assert_eq!((report.colgate, report.abbott_okamura), (None, None));
+        // A text that fills more than a line is broken at a space.
+        let text = report
+            .to_text()
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ");
+        let says = format!("does not apply: {why} ");
+        assert_eq!(text.matches(&says).count(), 2, "{says}{text}");
+    }
+}
+
+#[test]
+fn comparisons_apply_to_damping_saturation_and_a_force_step() {
+    let wall = "[wall]\ndamping = \"1/10\"\nmax_force = \"20\"\nforce_step = \"1/10\"\n";
+    let report = dimensionless("2", "2", wall);
+    let holds = Some(Truth::Holds);
+    assert_eq!((report.colgate, report.abbott_okamura), (holds, holds));
 }
 
 #[test]
