@@ -129,8 +129,17 @@ fn a_scene_without_an_encoder_has_no_ticks() {
              rate = \"1 kHz\"\n[wall]\nstiffness = \"1 N/mm\"\n[start]\nvelocity = \"0.01 m/s\"\n"
         );
         let scene = dir.write("slide.toml", &text);
-        let run = dir.run(&["simulate", &scene, "--intervals", "3000"]);
+        let run = dir.run(&[
+            "simulate",
+            &scene,
+            "--intervals",
+            "3000",
+            "--plot",
+            "slide.svg",
+        ]);
         assert!(run.code < 2, "{}", run.stderr);
+        let svg = std::fs::read_to_string(dir.path("slide.svg")).expect("a picture");
+        assert!(svg.contains("held force (N)") && !svg.contains("KΔ") && !svg.contains("tick"));
         assert!(!run.stdout.contains("tick"), "{}", run.stdout);
         assert!(!run.stdout.contains("KΔ²"), "{}", run.stdout);
         let log = dir.write("slide.csv", "x [m]\n0\n0.001\n0.003\n");

@@ -128,11 +128,11 @@ impl Chart<'_> {
         }
     }
 
-    /// The axes of a chart, with the dimensionless figures on the right where they are others.
+    /// The axes of a chart, with figures in ticks on the right where there are ticks beside the units.
     fn axes(&mut self, frame: &Frame, values: &Range<f64>, words: [&str; 2], scale: &Scale) {
         let [name, plain] = words;
         frame.draw_y(self.svg, &format!("{name} ({})", scale.unit));
-        if self.drawing.scales.si && (self.drawing.scales.ticks || !plain.contains("tick")) {
+        if self.drawing.scales.si && self.drawing.scales.ticks {
             frame.draw_right(self.svg, &extent(values), plain);
         }
         frame.draw_edge(self.svg);
