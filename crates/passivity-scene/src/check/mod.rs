@@ -26,7 +26,7 @@ pub(crate) use limits::{border, is_searched, typed_back};
 pub(crate) use lines::{Lines, headline, limits_heading};
 pub(crate) use report::LimitFigures;
 pub use report::{Costs, Report, Spare, check};
-pub(crate) use text::short;
+pub(crate) use text::{short, words};
 pub use text::{comparison, unit_of};
 pub use unforced::Unforced;
 pub(crate) use witness::rationals;

@@ -10,13 +10,13 @@ use passivity_core::{BigRational, Effect, Parameter};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
-use crate::check::{Report, Verdict, check};
+use crate::check::{Report, Verdict, check, words};
 use crate::display::{approx, range, wrapped};
 use crate::json::shape;
 use crate::scene::{Motion, Scene};
 use equations::{Cost, held_force, motion, readable};
 pub use frequency::Frequency;
-pub(crate) use theorems::sentence;
+pub(crate) use theorems::used;
 
 /// What a line of the derivation says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -69,7 +69,7 @@ pub struct Line {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GivenText {
     /// Its key with the section.
-    pub key: &'static str,
+    pub key: String,
     /// Its text in the file.
     pub text: String,
 }
@@ -83,11 +83,11 @@ pub struct Theorem {
     pub says: &'static str,
 }
 
-/// What `passivity explain` shows.
+/// What `passivity explain` shows; `R` is the report of its check, that of one joint or of several.
 ///
 /// Serialised it is the JSON of `explain --format json`.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Explanation {
+pub struct Explanation<R = Report> {
     /// The scene's name.
     pub scene: String,
     /// The effects in the scene.
@@ -100,18 +100,18 @@ pub struct Explanation {
     #[serde(serialize_with = "given_texts")]
     #[schemars(with = "std::collections::BTreeMap<String, String>")]
     pub given: Vec<GivenText>,
-    /// The derivation, from the units to the verdict.
+    /// The derivation, which ends in the verdict.
     #[serde(rename = "derivation")]
     pub lines: Vec<Line>,
     /// The theorems used, each with what it says.
     pub theorems: Vec<Theorem>,
     /// The check that the derivation ends in.
     #[serde(rename = "check")]
-    pub report: Report,
+    pub report: R,
 }
 
 fn given_texts<S: Serializer>(given: &[GivenText], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_map(given.iter().map(|given| (given.key, &given.text)))
+    serializer.collect_map(given.iter().map(|given| (&given.key, &given.text)))
 }
 
 /// What is given beside parameters and a transmission, and has neither a unit nor a tolerance.
@@ -149,11 +149,6 @@ fn settings(scene: &Scene) -> Vec<(&'static str, String)> {
 #[must_use]
 pub fn explain(scene: &Scene) -> Explanation {
     let report = check(scene);
-    let present = scene.effects();
-    let absent = Effect::ALL
-        .into_iter()
-        .filter(|effect| !present.contains(effect))
-        .collect();
     let transmission = scene.transmission.iter().flat_map(|t| &t.given);
     let transmission = transmission.map(|(key, text)| (*key, text.clone()));
     let parameters = scene.parameters().into_iter();
@@ -161,20 +156,26 @@ pub fn explain(scene: &Scene) -> Explanation {
     let given = transmission
         .chain(parameters)
         .chain(settings(scene))
-        .map(|(key, text)| GivenText { key, text });
-    let theorem = |id: &&'static str| Theorem {
-        id,
-        says: sentence(id),
-    };
+        .map(|(key, text)| GivenText {
+            key: key.to_owned(),
+            text,
+        });
     Explanation {
         scene: scene.name.clone(),
-        absent,
+        absent: absent(&report.effects),
         given: given.collect(),
         lines: lines(scene, &report),
-        theorems: report.because.iter().map(theorem).collect(),
-        present,
+        theorems: used(&report.because),
+        present: report.effects.clone(),
         report,
     }
+}
+
+/// The effects that are not among those of a scene.
+pub(crate) fn absent(present: &[Effect]) -> Vec<Effect> {
+    let mut absent = Effect::ALL.to_vec();
+    absent.retain(|effect| !present.contains(effect));
+    absent
 }
 
 fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
@@ -308,18 +309,31 @@ impl Explanation {
     /// The explanation for people.
     #[must_use]
     pub fn to_text(&self) -> String {
+        let mut verdict = self.report.headline();
+        if self.report.verdict == Verdict::NotCovered {
+            verdict += "\n  The derivation above leaves out what no theorem covers.";
+        }
+        self.text(&self.report.remarks, &verdict)
+    }
+}
+
+impl<R> Explanation<R> {
+    /// The explanation for people, with how values were taken and the verdict that the report says.
+    pub(crate) fn text(&self, remarks: &[String], verdict: &str) -> String {
         // Writing to a string cannot fail.
-        let mut out = format!("{}\n\nIn this scene\n", self.report.scene);
+        let mut out = format!("{}\n\nIn this scene\n", self.scene);
         for effect in &self.present {
             let _ = writeln!(out, "  {}", effect.words());
         }
         if !self.given.is_empty() {
             out.push_str("\nGiven\n");
-            for GivenText { key, text } in &self.given {
-                let _ = writeln!(out, "  {key:<32}{text}");
-            }
         }
-        for remark in &self.report.remarks {
+        let lengths = self.given.iter().map(|given| given.key.len() + 2);
+        let width = lengths.fold(32, usize::max);
+        for GivenText { key, text } in &self.given {
+            let _ = writeln!(out, "  {key:<width$}{text}");
+        }
+        for remark in remarks {
             let _ = writeln!(out, "  {}", wrapped(&format!("Taken: {remark}."), 2));
         }
         out.push_str("\nDerivation\n");
@@ -335,18 +349,11 @@ impl Explanation {
                 let _ = writeln!(out, "  {id:<12}{}", wrapped(says, 14));
             }
         }
-        let absent: Vec<&str> = self.absent.iter().map(|effect| effect.words()).collect();
-        if !absent.is_empty() {
-            let _ = write!(
-                out,
-                "\nNot in this scene, and not computed\n  {}\n",
-                wrapped(&absent.join("; "), 2)
-            );
+        if !self.absent.is_empty() {
+            let absent = wrapped(&words(&self.absent), 2);
+            let _ = writeln!(out, "\nNot in this scene, and not computed\n  {absent}");
         }
-        if self.report.verdict == Verdict::NotCovered {
-            out.push_str("\nThe derivation above leaves out what no theorem covers.\n");
-        }
-        let _ = write!(out, "\nVerdict\n  {}\n", self.report.headline());
+        let _ = writeln!(out, "\nVerdict\n  {verdict}");
         out
     }
 }

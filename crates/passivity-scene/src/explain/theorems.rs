@@ -1,7 +1,18 @@
 //! What each theorem says, for people.
 
+use super::Theorem;
+
+/// The theorems of some ids, each with what it says.
+pub(crate) fn used(ids: &[&'static str]) -> Vec<Theorem> {
+    let theorem = |id: &&'static str| Theorem {
+        id,
+        says: sentence(id),
+    };
+    ids.iter().map(theorem).collect()
+}
+
 /// What a theorem says, in a sentence.
-pub(crate) fn sentence(id: &str) -> &'static str {
+fn sentence(id: &str) -> &'static str {
     match id {
         "TH-REGION" => "a region is the set of speeds at which the criterion holds",
         "TH-INTERVAL" => {

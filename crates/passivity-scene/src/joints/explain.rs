@@ -1,75 +1,47 @@
 //! The derivation of a verdict on several joints with the scene's numbers filled in.
 
-use std::fmt::Write as _;
-
+use passivity_core::Truth;
 use passivity_core::joints::{Joint, Place};
-use passivity_core::{Effect, Truth};
-use schemars::JsonSchema;
-use serde::{Serialize, Serializer};
 
 use super::JointScene;
 use super::report::{JointReport, OfJoint, check};
 use crate::check::figure;
-use crate::display::{approx, range, wrapped};
-use crate::explain::{Line, Step, Theorem};
-use crate::json::shape;
+use crate::display::{approx, range};
+use crate::explain::{Explanation, GivenText, Line, Step, absent, used};
 use crate::scene::Given;
 
 /// What `passivity explain` shows of a scene of several joints.
-///
-/// Serialised it is the JSON of `explain --format json`.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct JointExplanation {
-    /// The scene's name.
-    pub scene: String,
-    /// The effects in the scene.
-    #[serde(with = "shape::Effects")]
-    pub effects: Vec<Effect>,
-    /// The parameters as they were given, with their keys.
-    #[serde(serialize_with = "texts")]
-    #[schemars(with = "std::collections::BTreeMap<String, String>")]
-    pub given: Vec<(String, String)>,
-    /// The derivation, from the wall to the verdict.
-    #[serde(rename = "derivation")]
-    pub lines: Vec<Line>,
-    /// The theorems used, each with what it says.
-    pub theorems: Vec<Theorem>,
-    /// The check that the derivation ends in.
-    #[serde(rename = "check")]
-    pub report: JointReport,
-}
-
-fn texts<S: Serializer>(given: &[(String, String)], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_map(given.iter().map(|(key, text)| (key, text)))
-}
+pub type JointExplanation = Explanation<JointReport>;
 
 /// Explains a scene of several joints.
 #[must_use]
 pub fn explain(scene: &JointScene) -> JointExplanation {
     let report = check(scene);
-    let theorem = |id: &&'static str| Theorem {
-        id,
-        says: crate::explain::sentence(id),
-    };
     JointExplanation {
         scene: scene.name.clone(),
-        effects: scene.effects(),
+        absent: absent(&report.effects),
         given: given(scene),
         lines: lines(scene, &report),
-        theorems: report.because.iter().map(theorem).collect(),
+        theorems: used(&report.because),
+        present: report.effects.clone(),
         report,
     }
 }
 
-fn given(scene: &JointScene) -> Vec<(String, String)> {
+fn given(scene: &JointScene) -> Vec<GivenText> {
     let places: Vec<Place> = scene.given.places().collect();
     let of = |place: &Place| {
         let given = scene.given.get(*place)?;
-        (!given.text.is_empty()).then(|| (scene.key(*place), given.text.clone()))
+        (!given.text.is_empty()).then(|| GivenText {
+            key: scene.key(*place),
+            text: given.text.clone(),
+        })
     };
     let ways: Vec<&str> = scene.ways.iter().map(|way| way.text.as_str()).collect();
-    let direction = ("wall.direction".to_owned(), ways.join(", "));
-    let direction = Some(direction).filter(|_| !scene.has_matrix());
+    let direction = (!scene.has_matrix()).then(|| GivenText {
+        key: "wall.direction".to_owned(),
+        text: ways.join(", "),
+    });
     places.iter().filter_map(of).chain(direction).collect()
 }
 
@@ -189,32 +161,6 @@ impl JointExplanation {
     /// The explanation for people.
     #[must_use]
     pub fn to_text(&self) -> String {
-        // Writing to a string cannot fail.
-        let mut out = format!("{}\n\nIn this scene\n", self.report.scene);
-        for effect in &self.effects {
-            let _ = writeln!(out, "  {}", effect.words());
-        }
-        out.push_str("\nGiven\n");
-        let lengths = self.given.iter().map(|(key, _)| key.len() + 2);
-        let width = lengths.fold(32, usize::max);
-        for (key, text) in &self.given {
-            let _ = writeln!(out, "  {key:<width$}{text}");
-        }
-        for remark in &self.report.remarks {
-            let _ = writeln!(out, "  {}", wrapped(&format!("Taken: {remark}."), 2));
-        }
-        out.push_str("\nDerivation\n");
-        for line in &self.lines {
-            let _ = writeln!(out, "  {:<12}{}", line.id, wrapped(&line.formula, 14));
-            if !line.numbers.is_empty() {
-                let _ = writeln!(out, "  {:<12}{}", "", wrapped(&line.numbers, 14));
-            }
-        }
-        out.push_str("\nTheorems used\n");
-        for Theorem { id, says } in &self.theorems {
-            let _ = writeln!(out, "  {id:<12}{}", wrapped(says, 14));
-        }
-        let _ = write!(out, "\nVerdict\n  {}\n", self.report.headline());
-        out
+        self.text(&self.report.remarks, &self.report.headline())
     }
 }

@@ -1,5 +1,6 @@
 //! What `explain` says of several joints, and the keys in the JSON of `check`.
 
+use passivity_core::Effect;
 use passivity_scene::joints::{JointExplanation, explain};
 
 use super::{MATRIX, report, scene};
@@ -43,6 +44,32 @@ fn what_coulomb_friction_is_compared_with_is_true() {
             .all(|numbers| text.contains(&format!(" {numbers}\n")));
         assert!(shown, "{text}");
     }
+}
+
+/// As of one joint, what is not in the scene is listed.
+#[test]
+fn effects_left_out_are_named() {
+    let explained = explained("1", "1");
+    let json = serde_json::to_value(&explained).unwrap();
+    let names = |key: &str| {
+        let names = json[key].as_array().unwrap().iter();
+        names.map(|name| name.as_str().unwrap()).collect::<Vec<_>>()
+    };
+    let (effects, absent) = (names("effects"), names("absent"));
+    let present = ["zero_order_hold", "viscous", "coulomb", "encoder"];
+    assert_eq!(effects, present);
+    let mut all = Effect::ALL.map(Effect::name).to_vec();
+    all.retain(|name| !effects.contains(name));
+    assert_eq!(absent, all);
+    let text = explained.to_text();
+    let (_, left_out) = text
+        .split_once("Not in this scene, and not computed\n")
+        .unwrap();
+    let (left_out, _) = left_out.split_once("\nVerdict\n").unwrap();
+    for word in ["a wall on one side only", "delay of whole samples"] {
+        assert!(left_out.contains(word), "{left_out}");
+    }
+    assert!(!left_out.contains("friction"), "{left_out}");
 }
 
 /// A key is two spaces before its value, however long it is.
