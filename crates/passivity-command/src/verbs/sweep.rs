@@ -141,7 +141,10 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
         seconds,
     );
     match args.format {
-        Format::Text => emit(&text(&report, &point))?,
+        Format::Text => {
+            let ends = [0, grid.len().saturating_sub(1)];
+            emit(&text(&report, &ends.map(|index| grid.point(&point, index))))?;
+        }
         Format::Json => emit_json(&report)?,
     }
     Ok(Exit::Holds)
@@ -324,14 +327,15 @@ mod picture {
     }
 }
 
-fn text(report: &Sweep, point: &Point) -> String {
+/// The report in words, of points between these.
+fn text(report: &Sweep, points: &[Point]) -> String {
     let (exact, paper) = (&report.exact, &report.paper);
     let near = match report.within_rounding_of_edge {
         0 => String::new(),
         n => format!(
             "\n  of those simulated now, {n} had a sample within rounding of an encoder edge, from which on \
              the motion may be another one: in `simulate`, {}",
-            deciding(point)
+            deciding(points)
         ),
     };
     format!(

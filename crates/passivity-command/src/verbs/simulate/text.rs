@@ -8,19 +8,21 @@ use passivity_sim::{Beyond, Detail, ExactOutcome, Method, Plan, Simulated};
 
 use super::words;
 
-/// Which methods decide of a sample on which side of an encoder's edge it is, of those that the scene's effects allow.
-pub(crate) fn deciding(point: &Point) -> String {
-    let methods = [Method::Exact, Method::Enclosure].into_iter();
-    let methods: Vec<_> = methods
-        .filter(|method| method.unsupported(point).is_empty())
-        .map(|method| format!("`--method {method}`"))
-        .collect();
-    match methods.is_empty() {
-        true => {
-            "of more digits (`--method reference:60`) more is to be believed, and no method decides"
-                .to_owned()
+/// Which method decides of a sample on which side of an encoder's edge it is, of those that the effects of all these points
+/// allow.
+pub(crate) fn deciding(points: &[Point]) -> &'static str {
+    let takes_all = |method: Method| {
+        let mut points = points.iter();
+        points.all(|point| method.unsupported(point).is_empty())
+    };
+    match [Method::Exact, Method::Enclosure].map(takes_all) {
+        [true, _] => "`--method exact` decides",
+        [false, true] => {
+            "`--method enclosure` decides, but of a sample that is exactly on the edge no method does"
         }
-        false => format!("{} decides", methods.join(" or ")),
+        [false, false] => {
+            "of more digits (`--method reference:60`) more is to be believed, and no method decides"
+        }
     }
 }
 
@@ -51,7 +53,7 @@ pub(super) fn text(
         lines.push(format!(
             "  sample {h} is within rounding of an encoder edge, and the motion from there on may be another \
              one: {}",
-            deciding(&scene.point())
+            deciding(&[scene.point()])
         ));
     }
     lines.extend([
@@ -169,15 +171,15 @@ mod tests {
                  [sampling]\nperiod = \"1 ms\"\n[wall]\nstiffness = \"1 N/m\"\n\
                  [encoder]\nresolution = \"1 mm\"\n{arm}"
             );
-            deciding(&Scene::from_toml("scene", &text).unwrap().point())
+            Scene::from_toml("scene", &text).unwrap().point()
         };
         let arm =
             "[operator]\narm = { mass = \"1 kg\", damping = \"1 N s/m\", stiffness = \"1 N/m\" }\n";
-        assert_eq!(of("1", ""), "`--method enclosure` decides");
-        assert_eq!(
-            of("0", ""),
-            "`--method exact` or `--method enclosure` decides"
-        );
-        assert!(of("0", arm).ends_with("no method decides"));
+        let enclosed = "`--method enclosure` decides, but of a sample that is exactly on the edge no method does";
+        assert_eq!(deciding(&[of("1", "")]), enclosed);
+        assert_eq!(deciding(&[of("0", "")]), "`--method exact` decides");
+        // Of a sweep, a method that takes some of the points only decides none of the others.
+        assert_eq!(deciding(&[of("0", ""), of("1", "")]), enclosed);
+        assert!(deciding(&[of("0", arm)]).ends_with("no method decides"));
     }
 }
