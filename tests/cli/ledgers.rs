@@ -1,5 +1,7 @@
 //! The ledger that `passivity simulate` writes and prints.
 
+use passivity_scene::number;
+
 use crate::harness::Dir;
 
 /// A device that moves through several intervals, with this beside it.
@@ -329,4 +331,43 @@ fn an_audit_of_a_ledger_in_si_units_is_that_of_the_other_one() {
         assert_eq!(own, code, "{plain:?}");
         assert!(plain[0].contains(first), "{plain:?}");
     }
+}
+
+/// Ends of enclosures are read as the numbers that they spell: the shortest decimal of a double may be within.
+#[test]
+fn ends_of_enclosures_hold_the_motion_as_they_are_written() {
+    let dir = Dir::new();
+    let file = dir.write(
+        "scene.toml",
+        "[dimensionless]\nmu = \"5/4\"\nsigma = \"1/8\"\nbeta = \"50\"\n[wall]\nmax_force = \"2\"\n\
+         [start]\nposition = \"-4\"\nvelocity = \"3\"\n[run]\nintervals = 1\n",
+    );
+    let json = |method: &str| {
+        let words = ["simulate", &file, "--format", "json", "--method", method];
+        dir.run(&words).json()["final"].clone()
+    };
+    let digits = json("reference:60")["digits"]["xi"].clone();
+    let truth = number::parse(digits.as_str().expect("digits")).expect("a number");
+    let enclosed = json("enclosure")["enclosure"]["xi"].clone();
+    let [lo, hi] = ["lo", "hi"].map(|end| enclosed[end].to_string());
+    let spelt = |text: &str| number::parse(text).expect("a number");
+    assert!(
+        spelt(&lo) < truth && truth < spelt(&hi),
+        "{lo} {truth} {hi}"
+    );
+    assert_ne!(lo, "-3.8884375");
+    // The text and the table say the same.
+    let words = [
+        "simulate",
+        &file,
+        "--method",
+        "enclosure",
+        "--out",
+        "bounds.csv",
+    ];
+    let text = dir.run(&words).stdout;
+    assert!(text.contains(&format!("ξ in [{lo}, {hi}]")), "{text}");
+    let table = std::fs::read_to_string(dir.path("bounds.csv")).expect("the table");
+    let ends = columns(&table, &["xi1_lo", "xi1_hi"]);
+    assert_eq!(ends, [[lo, hi]]);
 }

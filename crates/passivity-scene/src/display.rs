@@ -94,6 +94,37 @@ pub fn rounded(x: &BigRational, digits: u32, to: Rounding) -> String {
     with_digits(x, digits, whole)
 }
 
+/// A double as an end of an enclosure: the shortest decimal that reads back as the double, where the number that it spells
+/// is the double or outside of it, else one of 17 digits that is.
+///
+/// # Example
+///
+/// ```
+/// use passivity_scene::display::{Rounding, outward};
+///
+/// // The double is 0.1000000000000000055….
+/// assert_eq!(outward(0.1, Rounding::Down), "0.1");
+/// assert_eq!(outward(0.1, Rounding::Up), "0.10000000000000001");
+/// assert_eq!(outward(-0.5, Rounding::Up), "-0.5");
+/// ```
+#[must_use]
+pub fn outward(x: f64, to: Rounding) -> String {
+    let shortest = format!("{x:?}");
+    let (Some(exact), Ok(spelt)) = (BigRational::from_float(x), crate::number::parse(&shortest))
+    else {
+        return shortest;
+    };
+    let is_inside = match to {
+        Rounding::Down => spelt > exact,
+        Rounding::Up => spelt < exact,
+    };
+    if is_inside {
+        rounded(&exact, 17, to)
+    } else {
+        shortest
+    }
+}
+
 /// A number rounded to the nearest with that many significant digits, written like [`rounded`].
 pub(crate) fn nearest(x: &BigRational, digits: u32) -> String {
     with_digits(x, digits, BigRational::round)

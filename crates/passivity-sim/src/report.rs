@@ -3,7 +3,9 @@
 //!
 //! JSON has no infinities: a figure without a finite value is an error.
 
+use passivity_scene::display::{Rounding, outward};
 use schemars::JsonSchema;
+use serde::ser::Error as _;
 use serde::{Serialize, Serializer};
 
 use crate::accuracy::{Measured, Table};
@@ -82,13 +84,29 @@ pub struct Enclosure {
     pub bits: u32,
 }
 
-/// The ends of an enclosure.
+/// The ends of an enclosure, written as decimals that are not within it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Ends {
     /// The lower end.
+    #[serde(serialize_with = "below")]
     pub lo: f64,
     /// The upper end.
+    #[serde(serialize_with = "above")]
     pub hi: f64,
+}
+
+fn below<S: Serializer>(x: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    decimal(&outward(*x, Rounding::Down), serializer)
+}
+
+fn above<S: Serializer>(x: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    decimal(&outward(*x, Rounding::Up), serializer)
+}
+
+/// A number of these digits.
+fn decimal<S: Serializer>(digits: &str, serializer: S) -> Result<S::Ok, S::Error> {
+    let number: serde_json::Number = digits.parse().map_err(S::Error::custom)?;
+    number.serialize(serializer)
 }
 
 /// Energies over a run, in KΔ².

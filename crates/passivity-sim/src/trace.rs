@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::fmt::Write as _;
 
 use passivity_core::{BigRational, Criterion, Loop, Step, extra_storage, ledger};
+use passivity_scene::display::{Rounding, outward};
 use passivity_scene::number::{nearest_f64, parse};
 use passivity_scene::point::Units;
 use passivity_scene::{Point, Scene};
@@ -213,7 +214,11 @@ impl Table {
                 let figures = self.enclosures.figures(row);
                 self.put(row.h, &figures, out, |x| {
                     let [lo, hi] = x.bounds();
-                    format!("{lo:?},{hi:?}")
+                    format!(
+                        "{},{}",
+                        outward(lo, Rounding::Down),
+                        outward(hi, Rounding::Up)
+                    )
                 })?;
                 out.push('\n');
             }

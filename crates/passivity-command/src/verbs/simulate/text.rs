@@ -1,6 +1,6 @@
 //! What `passivity simulate` says of a motion to people.
 
-use passivity_scene::display::significant;
+use passivity_scene::display::{Rounding, outward, significant};
 use passivity_scene::{Point, Scene};
 use passivity_sim::report::Simulation;
 use passivity_sim::scales::{Scale, Scales};
@@ -153,10 +153,19 @@ fn detail(detail: &Detail) -> Vec<String> {
             ends: [[xi_lo, xi_hi], [v_lo, v_hi]],
             bits,
         } => vec![
-            format!("{INDENT}ξ in [{xi_lo:?}, {xi_hi:?}]"),
-            format!("{INDENT}ξ̇ in [{v_lo:?}, {v_hi:?}], by numbers of {bits} bits"),
+            format!("{INDENT}ξ in {}", within([xi_lo, xi_hi])),
+            format!(
+                "{INDENT}ξ̇ in {}, by numbers of {bits} bits",
+                within([v_lo, v_hi])
+            ),
         ],
     }
+}
+
+/// An enclosure in words.
+fn within([lo, hi]: [&f64; 2]) -> String {
+    let [lo, hi] = [outward(*lo, Rounding::Down), outward(*hi, Rounding::Up)];
+    format!("[{lo}, {hi}]")
 }
 
 #[cfg(test)]
