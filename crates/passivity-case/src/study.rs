@@ -8,8 +8,8 @@ use passivity_core::Parameter;
 use passivity_evidence::Sha256;
 use passivity_scene::check::{Report, Verdict};
 use passivity_scene::explain::{Explanation, explain};
-use passivity_scene::parse::{MAX_SAMPLE_BYTES, named_text};
-use passivity_scene::{Given, Scene, SceneError};
+use passivity_scene::parse::MAX_SAMPLE_BYTES;
+use passivity_scene::{Given, Scene};
 
 use crate::criterion::Criterion;
 use crate::document::slug;
@@ -59,9 +59,8 @@ impl Study {
     ///
     /// A file that cannot be read, or is no scene: with the scene's own diagnostics.
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        let refuse = |error: SceneError| CaseError::new(error.to_string());
-        let scene = Scene::read(path).map_err(refuse)?;
-        let (_, text) = named_text(path).map_err(refuse)?;
+        let read = Scene::read_with_text(path);
+        let (scene, text) = read.map_err(|error| CaseError::new(error.to_string()))?;
         let mut study = Self::new(scene, text, path);
         if let Some(forces) = &study.scene.forces {
             let name = forces.path.clone();

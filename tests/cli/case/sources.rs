@@ -202,3 +202,20 @@ fn a_comment_behind_an_identified_number_does_not_hide_where_it_is_from() {
     let own = row.rsplit("device.viscous").next().expect("the row");
     assert!(own.contains("sha256 133c77d24f7f"), "{own}");
 }
+
+/// What a shell hands over is read once: the case keeps what was checked.
+#[cfg(unix)]
+#[test]
+fn a_scene_that_a_shell_hands_over_is_kept_as_it_was_read() {
+    let dir = Dir::new();
+    let scene = shipped("sketch.toml");
+    let program = env!("CARGO_BIN_EXE_passivity");
+    let line = format!("cat {scene} | {program} case /dev/stdin --out case");
+    let status = std::process::Command::new("sh")
+        .args(["-c", &line])
+        .current_dir(dir.path("."))
+        .output()
+        .expect("a shell");
+    assert!(status.stderr.is_empty(), "{status:?}");
+    assert_eq!(read(&dir, "case/stdin.toml"), read(&dir, &scene));
+}

@@ -84,7 +84,16 @@ impl Scene {
     ///
     /// [`SceneError`] with everything that is wrong with the file and can be told at once.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, SceneError> {
-        read(path.as_ref(), build)
+        Self::read_with_text(path.as_ref()).map(|(scene, _)| scene)
+    }
+
+    /// Reads a scene file, as [`read`](Self::read) does, and gives its text beside the scene.
+    ///
+    /// # Errors
+    ///
+    /// As for [`read`](Self::read).
+    pub fn read_with_text(path: &Path) -> Result<(Self, String), SceneError> {
+        read(path, build)
     }
 
     /// Reads a scene from a stream, such as a pipe; `name` is what errors call it. It may name files
@@ -150,7 +159,7 @@ impl AnyScene {
     ///
     /// [`SceneError`] with everything that is wrong with the file and can be told at once.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, SceneError> {
-        read(path.as_ref(), build_any)
+        read(path.as_ref(), build_any).map(|(scene, _)| scene)
     }
 
     /// Reads a scene of either kind from a stream, as [`Scene::from_reader`] does.
@@ -308,11 +317,12 @@ fn of_text(text: &str, problems: Vec<Diagnostic>) -> SceneError {
 /// name none.
 type Build<T> = fn(&str, Vec<Entry>, Option<&Path>) -> Result<T, Vec<Diagnostic>>;
 
-fn read<T>(path: &Path, build: Build<T>) -> Result<T, SceneError> {
+fn read<T>(path: &Path, build: Build<T>) -> Result<(T, String), SceneError> {
     let (name, text) = named_text(path)?;
     let folder = path.parent().unwrap_or_else(|| Path::new(""));
     let shown = path.display().to_string();
-    parse((&shown, &name), &text, Some(folder), build)
+    let read = parse((&shown, &name), &text, Some(folder), build)?;
+    Ok((read, text))
 }
 
 fn from_reader<T>(
