@@ -276,7 +276,8 @@ fn any_parameters_of_the_scene_can_be_varied() {
         let near = |name: &str, cell: &str| {
             let (a, b) = (document["final"][name].as_f64(), cell.parse::<f64>().ok());
             let (a, b) = (a.expect("a number"), b.expect("a number"));
-            (a - b).abs() <= 1e-9 * (1.0 + b.abs())
+            // The same loop over the same numbers gives the same bits.
+            a == b
         };
         assert!(near("xi", row[6]) && near("velocity", row[7]), "{row:?}");
     }
