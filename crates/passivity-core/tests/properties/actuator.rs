@@ -93,10 +93,12 @@ sampled! {
         if beta < *cost.lo() {
             prop_assert_eq!(slow.decide(&beta), Some(false));
         }
-        // coth in doubles.
+        // Doubles: the variance is the difference of two numbers below 26 of some four roundings each, 200ε at most, and
+        // κ is off by half of that and by its own few. The enclosure is 10⁻⁶ wide at most.
         let t = double(&slow.time_constant);
         let variance = t / 2.0 / (1.0 / (2.0 * t)).tanh() - t * t;
-        prop_assert!((double(cost.lo()) - kappa(t, variance)).abs() < 1e-5);
+        let off = (double(cost.lo()) - kappa(t, variance)).abs();
+        prop_assert!(off < 1e-6 + 200.0 * f64::EPSILON);
         // The simple bound is above it.
         let simple = kappa(t, double(&slow.variance_bound()));
         prop_assert!(simple >= double(cost.lo()));
