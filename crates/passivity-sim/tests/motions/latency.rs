@@ -162,7 +162,12 @@ fn every_method_gives_the_same_motion() {
                 v[0] <= slow.end.velocity && slow.end.velocity <= v[1],
                 "{name}: {v:?}"
             );
-            assert!(xi[1] - xi[0] < 1e-6 && v[1] - v[0] < 1e-6, "{name}");
+            // Bounds that say more than doubles do are nearer to each other than these may be off.
+            let widest = 10.0 * most;
+            assert!(
+                xi[1] - xi[0] < widest && v[1] - v[0] < widest,
+                "{name}: {xi:?} {v:?}"
+            );
         }
         if Method::Exact.unsupported(&scene).is_empty() {
             match simulate(&scene, &Method::Exact, None) {
@@ -263,11 +268,15 @@ fn a_passive_scene_never_generates_more_than_friction_takes() {
         };
         driven.forces = Some((0..200).map(force).collect());
         // From rest, at which nothing is remembered, the account must hold at every sample.
-        let mut sum = 0.0;
+        let (mut sum, mut off) = (0.0, 0.0);
         let mut see = |line: &Line<'_>| {
             let entry = line.entry();
             sum += entry.dissipated - entry.generated_linear;
-            assert!(sum > -1e-9, "{latency} {beta} at {}: {sum}", entry.h);
+            // The balance of an interval is off by its roundings, at most 16ε of the energies in it (`hard_cases`).
+            let kinetic = 1.5 * (entry.v0.powi(2) + entry.v1.powi(2));
+            let potential = 0.5 * (entry.xi0.powi(2) + entry.xi1.powi(2));
+            off += 16.0 * f64::EPSILON * (kinetic + potential + entry.dissipated);
+            assert!(sum >= -off, "{latency} {beta} at {}: {sum}", entry.h);
             true
         };
         simulate(&driven, &Method::ClosedForm, Some(&mut see)).unwrap();
