@@ -108,6 +108,7 @@ fn nothing_but_a_plain_file_is_replaced() {
         ("--plot", "link.csv", "is a symbolic link"),
         ("--certificate", "/dev/full", "is no plain file"),
         ("--out", "folder", "is no plain file"),
+        ("--out", "-", "is not standard output here"),
         ("--out", "scene.toml", "is read by this audit"),
         ("--out", "./log.csv", "is read by this audit"),
     ] {
@@ -131,6 +132,7 @@ fn nothing_but_a_plain_file_is_replaced() {
     for (verb, args) in [("simulation", &simulate[..]), ("sweep", &sweep[..])] {
         for (file, says) in [
             ("/dev/null", "is no plain file"),
+            ("-", "is not standard output here"),
             ("link.csv", "is a symbolic link"),
             ("scene.toml", &format!("is read by this {verb}")),
         ] {

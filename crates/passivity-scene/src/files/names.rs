@@ -54,13 +54,18 @@ pub(crate) fn folder(path: &Path) -> Option<&Path> {
 ///
 /// # Errors
 ///
-/// A name that no file can have, and one of what is no plain file: a device, a pipe, a folder, or a link to
-/// whatever it may be.
+/// A name that no file can have, `-`, which stands for standard input or output elsewhere, and one of what is no plain
+/// file: a device, a pipe, a folder, or a link to whatever it may be.
 pub fn may_be_replaced(path: &Path) -> io::Result<()> {
     let refuse = |why: &str| Err(io::Error::new(io::ErrorKind::InvalidInput, why));
     let ends_a_folder = |c: char| std::path::is_separator(c);
     if path.file_name().is_none() || path.to_string_lossy().ends_with(ends_a_folder) {
         return refuse("expected the name of a file");
+    }
+    if path.as_os_str() == "-" {
+        return refuse(
+            "is not standard output here: expected the name of a file, or `./-` for one that is called so",
+        );
     }
     match path.symlink_metadata() {
         Ok(there) if there.is_symlink() => {
