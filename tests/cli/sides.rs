@@ -140,3 +140,44 @@ fn a_sweep_varies_friction_at_the_motor_where_the_scene_has_it() {
     // The same loop over the same numbers gives the same bits.
     assert_eq!(swept.to_bits(), typed.to_bits(), "{swept} {typed}");
 }
+
+#[test]
+fn no_command_takes_the_angle_of_the_motor_for_that_of_the_device() {
+    let dir = Dir::new();
+    let scene = dir.write("paddle.toml", PADDLE);
+    let rows: String = (0..40)
+        .map(|h| {
+            format!(
+                "{:.3},{:.2},0\n",
+                f64::from(h) / 1000.0,
+                -0.18 * f64::from(h % 2)
+            )
+        })
+        .collect();
+    let log = dir.write(
+        "log.csv",
+        format!("t [s],motor_angle [deg],f [N m]\n{rows}"),
+    );
+    for args in [
+        &["audit", &log, "--scene", &scene][..],
+        &["identify", &log, "--scene", &scene],
+        &[
+            "case",
+            &scene,
+            "--device",
+            "3",
+            "--date",
+            "2026-11-28",
+            "--log",
+            &log,
+            "--out",
+            "case",
+        ],
+    ] {
+        let run = dir.run(args);
+        assert_eq!(run.code, 2, "{args:?}: {}", run.stderr);
+        let says = "`motor_angle [deg]` is not read: by its name it seems to be at the motor, but `x` is at the device";
+        assert!(run.stderr.contains(says), "{}", run.stderr);
+        assert!(!run.stderr.contains("x=motor"), "{}", run.stderr);
+    }
+}

@@ -25,6 +25,7 @@ mod kind;
 mod proposal;
 mod rising;
 mod score;
+mod side;
 mod units;
 mod whole;
 mod words;
@@ -38,6 +39,19 @@ pub(crate) fn are_kin(a: Role, b: Role) -> bool {
 pub(crate) fn is_another(found: &Found, headings: &[Heading]) -> bool {
     let heading = headings.get(found.column);
     heading.is_some_and(|heading| units::is_of_another(Kind::of(found.role), &heading.name))
+}
+
+/// Whether a column that is read as a value at the device seems to be one at the motor.
+pub(crate) fn is_at_motor(
+    found: &Found,
+    headings: &[Heading],
+    preview: &Preview,
+    scene: &Scene,
+) -> bool {
+    let heading = headings.get(found.column);
+    let not_at_device =
+        |heading| side::not_at_device(Kind::of(found.role), heading, found.column, preview, scene);
+    heading.and_then(not_at_device).is_some()
 }
 
 impl Found {
@@ -68,6 +82,8 @@ pub(crate) struct Unreadable {
     kind: Kind,
     /// Whether it is taken for a clock for nothing but its rise from row to row.
     pub(crate) rises: bool,
+    /// Whether it seems to be a value at the motor, behind a transmission.
+    pub(crate) is_at_motor: bool,
 }
 
 impl Unreadable {
@@ -121,6 +137,7 @@ pub(crate) fn unreadable(
                 why,
                 kind,
                 rises: false,
+                is_at_motor: side::is_at_motor(kind, heading, scene),
             };
             (score >= LIKELY).then_some((score, unreadable))
         });

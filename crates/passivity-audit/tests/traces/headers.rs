@@ -10,6 +10,7 @@ mod others;
 mod preamble;
 mod quotes;
 mod rising;
+mod sides;
 mod spaces;
 mod units;
 mod wanted;

@@ -118,6 +118,7 @@ fn rising(
             why,
             kind: Kind::Time,
             rises: true,
+            is_at_motor: false,
         })?;
         Ok(Found {
             role: if unit.is_some() { Role::T } else { Role::Tau },

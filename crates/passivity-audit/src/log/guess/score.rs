@@ -9,7 +9,7 @@ use super::kind::Kind;
 use super::words::{
     HELD, MEASURED, NO_FORCE, NO_POSITION, NO_TIME, NOT_MEASURED, PERHAPS_WANTED, words,
 };
-use super::{LIKELY, has_force, is_counted, units, whole};
+use super::{LIKELY, has_force, is_counted, side, units, whole};
 use crate::log::error::shown;
 use crate::log::header::{Heading, is_unit_of_force, read_unit, read_unit_of_force, split};
 use crate::log::preview::Preview;
@@ -84,6 +84,9 @@ pub(super) fn held(
 ) -> Result<i32, String> {
     let heading = headings.get(column).ok_or("there is no such column")?;
     split(&heading.name).map_err(|(_, why)| why.to_owned())?;
+    if let Some(why) = side::not_at_device(kind, heading, column, preview, scene) {
+        return Err(why);
+    }
     if let Some(row) = preview.no_number(column) {
         return Err(format!("row {} has no number there", row + 1));
     }

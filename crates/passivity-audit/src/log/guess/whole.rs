@@ -3,8 +3,8 @@
 use passivity_scene::{Motion, Scene};
 
 use super::score::own_unit;
-use super::units;
 use super::{Kind, is_called_a_count, is_counted, propose};
+use super::{side, units};
 use crate::log::columns::{Found, Role};
 use crate::log::header::Heading;
 use crate::log::preview::Preview;
@@ -78,7 +78,9 @@ pub(crate) fn either(
     let has_none = own_unit(Kind::Position, heading, scene.motion).is_none()
         && units::said(Kind::Position, &heading.name, scene.motion) == Ok(None);
     let is_open = scene.given.has_encoder() && has_none && preview.is_whole(column);
-    if !is_open || scene.motion == Motion::Dimensionless {
+    // In a unit it would be one of a motor, and no position of the device.
+    let is_at_motor = side::is_at_motor(Kind::Position, heading, scene);
+    if !is_open || is_at_motor || scene.motion == Motion::Dimensionless {
         return None;
     }
     let unit = Some(Kind::Position.unit(scene.motion).to_owned());

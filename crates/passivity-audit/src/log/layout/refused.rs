@@ -49,10 +49,15 @@ pub(super) fn not_read(
             name(column)
         )
     };
+    let force = |column: usize, why: &str| cannot_be_read(column, why, FORCE) + LAW;
     let read: Vec<Found> = known.iter().chain(unread).cloned().collect();
     let others = guess::propose(&read, headings).map(|proposal| proposal.columns);
     said.extend(unreadable.iter().map(|unreadable| {
         let put_right = match scene.motion {
+            _ if unreadable.is_at_motor => {
+                let left_out = if unreadable.is_force() { LAW } else { "" };
+                return format!("the column {} is not read: {}{left_out}", name(unreadable.column), unreadable.why);
+            }
             _ if unreadable.rises => {
                 let others = others.as_ref().map(|others| format!(": `--columns '{others}'`"));
                 return format!(
@@ -63,7 +68,7 @@ pub(super) fn not_read(
                     others.unwrap_or_default(),
                 );
             }
-            _ if unreadable.is_force() => FORCE,
+            _ if unreadable.is_force() => return force(unreadable.column, &unreadable.why),
             _ if unreadable.is_position() => {
                 let either = guess::either(unreadable.column, (&read, headings, preview), scene);
                 let either = either.map_or_else(String::new, |[counts, unit]| {
@@ -87,7 +92,7 @@ pub(super) fn not_read(
     said.extend(known.iter().filter_map(|found| {
         let unit = found.unit.as_deref().filter(|_| found.role == Role::F)?;
         let why = force_scale(Some(unit), scene).err()?;
-        Some(cannot_be_read(found.column, &why.message, FORCE))
+        Some(force(found.column, &why.message))
     }));
     header(said.join("; "))
 }
@@ -101,8 +106,8 @@ pub(super) fn unknown_position(
     let is_free = |column: &usize| {
         known.iter().all(|found| found.column != *column) && preview.no_number(*column).is_none()
     };
-    let column = (0..headings.len()).find(is_free);
-    let example = column.and_then(|column| {
+    let free = (0..headings.len()).filter(is_free);
+    let mut found = free.map(|column| {
         let role = match scene.motion {
             _ if scene.given.has_encoder() && preview.is_whole(column) => Role::Count,
             Motion::Dimensionless => Role::Xi,
@@ -114,7 +119,10 @@ pub(super) fn unknown_position(
             unit: None,
             reversed: false,
         };
-        let found = guess::with_unit(&found, headings, preview, scene);
+        guess::with_unit(&found, headings, preview, scene)
+    });
+    let is_of_device = |found: &Found| !guess::is_at_motor(found, headings, preview, scene);
+    let example = found.find(is_of_device).and_then(|found| {
         let all: Vec<Found> = known.iter().cloned().chain([found]).collect();
         guess::propose(&all, headings)
     });
@@ -125,8 +133,12 @@ pub(super) fn unknown_position(
 }
 
 /// What to do about a force that cannot be read.
-const FORCE: &str = "write a number in each row, in a unit of the scene's forces that the name of the column gives; if \
-    `--columns` leaves it out, the account is of the force of the wall's law, not of the one that was held";
+const FORCE: &str =
+    "write a number in each row, in a unit of the scene's forces that the name of the column gives";
+
+/// What leaving it out would do.
+const LAW: &str = "; if `--columns` leaves it out, the account is of the force of the wall's law, not of the one that was \
+    held";
 
 /// What a header may mean, beyond what its columns say themselves, where that can be read and leaves out no clock, without
 /// which late and missed samples would not be seen, and no force, without which the wall's law would be taken for it.
@@ -141,6 +153,11 @@ pub(super) fn proposal(
     all.extend(guess::unread(headings, preview, scene, said));
     let unreadable = guess::unreadable(headings, preview, scene, &all);
     if unreadable.iter().any(|it| it.is_clock() || it.is_force()) {
+        return None;
+    }
+    // Nor what was typed of the motor, with a mistake, as if it were of the device.
+    let is_at_motor = |found: &Found| guess::is_at_motor(found, headings, preview, scene);
+    if all.iter().any(is_at_motor) {
         return None;
     }
     let mut proposal = guess::propose(&all, headings)?;

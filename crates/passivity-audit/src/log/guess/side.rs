@@ -1,0 +1,102 @@
+//! The side of a transmission at which a column seems to be: what the motor says is not what the device does, but a
+//! multiple of it.
+
+use passivity_scene::{Motion, Scene};
+
+use super::kind::Kind;
+use super::score::own_unit;
+use super::whole;
+use super::words::words;
+use crate::log::columns::Role;
+use crate::log::header::{Heading, split};
+use crate::log::preview::Preview;
+
+/// What a motor is called, alone or as a part of a longer word: `Motorwinkel`, `servomotor`.
+const MOTOR: [&str; 12] = [
+    "motor",
+    "moteur",
+    "rotor",
+    "silnik",
+    "мотор",
+    "двигател",
+    "电机",
+    "電機",
+    "马达",
+    "モータ",
+    "모터",
+    "전동기",
+];
+
+/// Whether the name of a column seems to be that of a value at the motor, where a transmission stands between it and the
+/// device. At `theta_m` an m that is no metre may be short for it.
+pub(super) fn is_at_motor(kind: Kind, heading: &Heading, scene: &Scene) -> bool {
+    if kind == Kind::Time || scene.transmission.is_none() {
+        return false;
+    }
+    let is_motor = |word: &String| {
+        let is_part = |part: &&str| word.starts_with(part) || word.ends_with(part);
+        MOTOR.iter().any(is_part) || word.ends_with("mot")
+    };
+    let is_short = split(&heading.name).is_ok_and(|split| match split.unit.as_deref() {
+        Some("m") => scene.motion != Motion::Linear,
+        _ => split.stem.ends_with("_m"),
+    });
+    is_short || words(&heading.name).iter().any(is_motor)
+}
+
+/// Whether the encoder of the scene is at the motor, so that the counts of a log are, too.
+fn counts_are_at_motor(scene: &Scene) -> bool {
+    let encoder = scene.given.resolution.as_ref();
+    encoder.is_some_and(|given| given.written.unit().ends_with("at the motor"))
+}
+
+/// Why a column cannot be read as a value at the device, where it seems to be one at the motor; `None` where it does not, or
+/// has the counts of an encoder there.
+pub(super) fn not_at_device(
+    kind: Kind,
+    heading: &Heading,
+    column: usize,
+    preview: &Preview,
+    scene: &Scene,
+) -> Option<String> {
+    if !is_at_motor(kind, heading, scene) {
+        return None;
+    }
+    let counted = counts_are_at_motor(scene);
+    if kind == Kind::Position
+        && counted
+        && whole::counts(heading, column, preview, scene) == Ok(true)
+    {
+        return None;
+    }
+    let (role, verb) = match kind {
+        Kind::Force => (Role::F, "multiply"),
+        Kind::Velocity => (Role::V, "divide"),
+        Kind::Position | Kind::Time => (Role::X, "divide"),
+    };
+    let what = match (scene.motion, kind) {
+        (Motion::Linear, Kind::Force) => "its torques in N m by the ratio in rad/m",
+        (Motion::Linear, Kind::Velocity) => "its speeds in rad/s by the ratio in rad/m",
+        (Motion::Linear, _) => "its angles in rad by the ratio in rad/m",
+        _ => "its numbers by the ratio",
+    };
+    let own = own_unit(kind, heading, scene.motion).filter(|_| scene.motion != Motion::Linear);
+    let unit = own.unwrap_or_else(|| kind.unit(scene.motion).to_owned());
+    let name = role.name();
+    let also = match (kind, counted) {
+        (Kind::Position, false) if scene.given.has_encoder() => {
+            " and so is the encoder, whose counts are `count`"
+        }
+        _ => "",
+    };
+    let counts = match (kind, counted) {
+        (Kind::Position, true) => {
+            ", or log the counts of the encoder, which is at the motor, as `count`"
+        }
+        _ => "",
+    };
+    Some(format!(
+        "by its name it seems to be at the motor, but `{name}` is at the device, behind the transmission{also}: {verb} \
+         {what} and call the column `{name} [{unit}]`{counts}"
+    ))
+}

@@ -1,0 +1,164 @@
+//! Columns of a motor, where a transmission stands between it and the device.
+
+use passivity_audit::TraceError;
+use passivity_scene::Scene;
+
+use super::{audited_on, rotary};
+
+/// A device whose motor turns 15 times as fast, with its encoder at the motor or at the device.
+fn geared(side: &str) -> Scene {
+    let text = format!(
+        "[motor]\nviscous = \"5.4e-6 N m s/rad\"\ncoulomb = \"2.8e-6 N m\"\n[transmission]\nratio = \"15:1\"\n\
+         [sampling]\nrate = \"1 kHz\"\n[encoder]\ncounts_per_revolution = 2000\nside = \"{side}\"\n\
+         [wall]\nstiffness = \"2 N m/rad\""
+    );
+    Scene::from_toml("geared", &text).unwrap()
+}
+
+/// A device that a cable moves along a line.
+fn cable() -> Scene {
+    let text = "[motor]\nviscous = \"5.4e-6 N m s/rad\"\n[transmission]\nmotor_pulley = \"5 mm\"\n\
+        [sampling]\nrate = \"1 kHz\"\n[encoder]\ncounts_per_revolution = 2000\nside = \"motor\"\n\
+        [wall]\nstiffness = \"2 N/mm\"";
+    Scene::from_toml("cable", text).unwrap()
+}
+
+/// Three rows of a clock and what these columns have.
+fn log(header: &str, rows: [&str; 3]) -> String {
+    let [first, second, third] = rows;
+    format!("t [s],{header}\n0,{first}\n0.001,{second}\n0.002,{third}\n")
+}
+
+fn refused(scene: &Scene, header: &str, rows: [&str; 3]) -> TraceError {
+    match audited_on(scene, &log(header, rows), None) {
+        Err(error) => error,
+        Ok(audit) => panic!("{header}: {}", audit.to_text()),
+    }
+}
+
+#[test]
+fn a_motion_of_the_motor_is_not_proposed_as_one_of_the_device() {
+    let rows = ["0.1", "0.28", "0.1"];
+    for side in ["motor", "device"] {
+        let scene = geared(side);
+        for name in [
+            "motor_angle [deg]",
+            "theta_motor [deg]",
+            "MotorPosition [rad]",
+            "angle (motor) [deg]",
+            "rotor_pos",
+            "q_mot",
+            "theta_m",
+            "theta_m [deg]",
+            "position moteur",
+            "/motor/joint_states.position.knob",
+        ] {
+            let error = refused(&scene, name, rows);
+            assert_eq!(error.proposal, None, "{error}");
+            let text = error.to_string();
+            assert!(text.contains("at the motor"), "{text}");
+            assert!(text.contains("`x` is at the device"), "{text}");
+            assert!(text.contains("divide its numbers by the ratio"), "{text}");
+            assert!(!text.contains("x=") && !text.contains("count="), "{text}");
+        }
+        // What is at the device is read beside it, and the motion of the motor is not.
+        let error = refused(
+            &scene,
+            "motor_angle [deg],angle [deg]",
+            ["0,0", "1.5,0.1", "3,0.2"],
+        );
+        let proposal = error.proposal.unwrap();
+        assert_eq!(proposal.columns, "t=t [s], x=angle [deg]");
+        assert_eq!(proposal.others, Vec::<String>::new());
+        let both = log("motor_angle [deg],x [deg]", ["0,0", "1.5,0.1", "3,0.2"]);
+        let audit = audited_on(&scene, &both, None).unwrap();
+        assert_eq!(audit.report().not_read, ["motor_angle [deg]"]);
+        // Who names it says that it is at the device, whatever it is called; a mistake in that is not put right.
+        let own = log("motor_angle [deg]", rows);
+        audited_on(&scene, &own, Some("t=t [s], x=motor_angle [deg]")).unwrap();
+        let error = audited_on(&scene, &own, Some("t=t [s], x=motor_angel [deg]")).unwrap_err();
+        assert_eq!(error.proposal, None, "{error}");
+    }
+    // Where the motor is what the hand holds, and where the name says nothing, there is no other side.
+    for (scene, name) in [
+        (rotary(), "motor_angle [deg]"),
+        (geared("motor"), "angle [deg]"),
+    ] {
+        let proposal = refused(&scene, name, rows).proposal.unwrap();
+        assert_eq!(proposal.columns, format!("t=t [s], x={name}"));
+    }
+}
+
+#[test]
+fn counts_are_at_the_side_of_the_encoder() {
+    let rows = ["0", "40", "-3"];
+    for name in ["motor_count", "motor_encoder", "motor_pos"] {
+        let proposal = refused(&geared("motor"), name, rows).proposal.unwrap();
+        assert_eq!(proposal.columns, format!("t=t [s], count={name}"));
+        let error = refused(&geared("device"), name, rows);
+        assert_eq!(error.proposal, None);
+        let text = error.to_string();
+        assert!(text.contains("whose counts are `count`"), "{text}");
+    }
+    // One that rests may have any unit, but none of the device.
+    let text = refused(&geared("motor"), "motor_pos", ["0", "0", "0"]).to_string();
+    assert!(
+        text.contains("`x` is at the device") && !text.contains("x="),
+        "{text}"
+    );
+    let text = refused(&geared("motor"), "motor_angle [deg]", ["0.1", "1", "0.1"]).to_string();
+    assert!(text.contains("which is at the motor, as `count`"), "{text}");
+}
+
+#[test]
+fn a_force_of_the_motor_is_not_proposed_as_one_of_the_device() {
+    let rows = ["0,0.01", "40,-0.02", "-3,0.015"];
+    for name in [
+        "motor_torque [N m]",
+        "torque_motor",
+        "Motormoment [mN m]",
+        "tau_m [N m]",
+        "Fmot",
+        "f (motor) [N m]",
+    ] {
+        let error = refused(&geared("motor"), &format!("count,{name}"), rows);
+        assert_eq!(error.proposal, None, "{error}");
+        let text = error.to_string();
+        assert!(text.contains("multiply its numbers by the ratio"), "{text}");
+        assert!(text.contains("of the wall's law"), "{text}");
+        assert!(!text.contains("f="), "{text}");
+        let proposal = audited_on(&rotary(), &log(&format!("count,{name}"), rows), None);
+        assert!(proposal.unwrap_err().proposal.is_some(), "{name}");
+    }
+    // Beside the force at the device it is another column.
+    let both = log(
+        "count,motor_torque [N m],f [N m]",
+        ["0,0.01,0.15", "40,-0.02,-0.3", "-3,0.015,0.225"],
+    );
+    let audit = audited_on(&geared("motor"), &both, None).unwrap();
+    assert_eq!(audit.report().not_read, ["motor_torque [N m]"]);
+    // A velocity leaves nothing out.
+    let error = refused(&geared("motor"), "count,motor_speed [rad/s]", rows);
+    assert!(
+        error.to_string().contains("`v` is at the device"),
+        "{error}"
+    );
+    assert_eq!(error.proposal.unwrap().columns, "t=t [s], count=count");
+}
+
+#[test]
+fn behind_a_cable_the_angle_of_the_motor_becomes_a_length() {
+    let error = refused(
+        &cable(),
+        "motor_angle [rad],motor_torque [N m]",
+        ["0,0.01", "0.4,-0.02", "0,0"],
+    );
+    assert_eq!(error.proposal, None, "{error}");
+    let text = error.to_string();
+    for says in [
+        "divide its angles in rad by the ratio in rad/m and call the column `x [m]`",
+        "multiply its torques in N m by the ratio in rad/m and call the column `f [N]`",
+    ] {
+        assert!(text.contains(says), "{text}");
+    }
+}
