@@ -374,3 +374,44 @@ fn the_course_of_energy_is_drawn() {
         "{svg}"
     );
 }
+
+/// With a latency the force that acted is not the wall's law at the positions of a log: nothing is said of it.
+#[test]
+fn a_log_that_is_not_accounted_for_has_no_figures_of_a_force() {
+    let dir = Dir::new();
+    let scene = dir.write(
+        "late.toml",
+        format!("{PLAIN}[sampling]\nlatency = \"9/10\"\n"),
+    );
+    let log = dir.write("log.csv", "xi\n0\n26\n51\n40\n13\n");
+    let audit = ["audit", &log, "--scene", &scene];
+    let files = [
+        "--plot",
+        "a.svg",
+        "--out",
+        "rows.csv",
+        "--certificate",
+        "c.json",
+    ];
+    let run = dir.run(&[&audit[..], &files].concat());
+    assert_eq!(run.code, 3, "{}", run.stderr);
+    assert!(run.stderr.contains("no picture is drawn"), "{}", run.stderr);
+    assert!(
+        run.stderr.contains("no certificate is written"),
+        "{}",
+        run.stderr
+    );
+    assert!(!dir.path("a.svg").exists() && !dir.path("c.json").exists());
+    assert!(!run.stdout.contains("deficit"), "{}", run.stdout);
+    let rows = fs::read_to_string(dir.path("rows.csv")).expect("rows");
+    let row = rows.lines().nth(1).expect("a row");
+    assert!(row.starts_with("0,0,26,1,,,"), "{row}");
+    // What is written is a trace of the same positions, and says how long intervals are.
+    let again = dir.run(&["audit", "rows.csv", "--scene", &scene]);
+    assert_eq!(again.code, 3);
+    assert!(again.stdout.starts_with(&run.stdout), "{}", again.stdout);
+    let said = dir
+        .run(&[&audit[..], &["--format", "json"]].concat())
+        .json();
+    assert_eq!(said["totals"]["violates_linear"], Value::Null);
+}

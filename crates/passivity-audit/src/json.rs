@@ -93,13 +93,13 @@ struct LedgerRow<'a, S: Written> {
     xi0: &'a Figure<S>,
     xi1: &'a Figure<S>,
     dtau: Lowest<'a, S>,
-    generated_linear: &'a Figure<S>,
-    generated_quantized: &'a Figure<S>,
+    generated_linear: Option<&'a Figure<S>>,
+    generated_quantized: Option<&'a Figure<S>>,
     bound_22: &'a Figure<S>,
     bound_quantized: &'a Figure<S>,
     dissipated_lower: &'a Figure<S>,
-    net_linear: &'a Figure<S>,
-    net_quantized: &'a Figure<S>,
+    net_linear: Option<&'a Figure<S>>,
+    net_quantized: Option<&'a Figure<S>>,
     margin: Option<&'a Margin<S>>,
     criterion_holds: Option<bool>,
     violates_linear: Option<bool>,
@@ -111,25 +111,27 @@ struct LedgerRow<'a, S: Written> {
 }
 
 impl<'a, S: Written> LedgerRow<'a, S> {
-    fn of(h: u64, entry: &'a Entry<S>) -> Self {
+    fn of(h: u64, entry: &'a Entry<S>, accounted: bool) -> Self {
         let account = &entry.account;
+        let of_force = |figure| accounted.then_some(figure);
+        let violated = |is_violated| truth(is_violated).filter(|_| accounted);
         Self {
             h,
             xi0: &entry.xi0,
             xi1: &entry.xi1,
             dtau: Lowest(&entry.dtau),
-            generated_linear: &account.generated_linear,
-            generated_quantized: &account.generated_quantized,
+            generated_linear: of_force(&account.generated_linear),
+            generated_quantized: of_force(&account.generated_quantized),
             bound_22: &account.bound_22,
             bound_quantized: &account.bound_quantized,
             dissipated_lower: &account.dissipated_lower,
-            net_linear: &account.net_linear,
-            net_quantized: &account.net_quantized,
+            net_linear: of_force(&account.net_linear),
+            net_quantized: of_force(&account.net_quantized),
             margin: entry.margin.as_ref(),
             criterion_holds: truth(entry.criterion_holds),
-            violates_linear: truth(entry.violates_linear),
-            violates_quantized: truth(entry.violates_quantized),
-            extra_storage: entry.extra_storage.as_ref(),
+            violates_linear: violated(entry.violates_linear),
+            violates_quantized: violated(entry.violates_quantized),
+            extra_storage: entry.extra_storage.as_ref().filter(|_| accounted),
             force: entry.force(),
         }
     }
@@ -149,7 +151,7 @@ impl<'a, S: Written> LedgerRow<'a, S> {
 /// let at = |text| Reading::Exact(Number::parse(text).unwrap());
 /// let interval = Logged { samples: vec![at("1")], end: at("1/2"), dtau: Number::whole(1), force: None };
 /// let mut text = Vec::new();
-/// let row = NumberedRow { h: 0, row: ledger.row(&interval).unwrap() };
+/// let row = NumberedRow { h: 0, row: ledger.row(&interval).unwrap(), accounted: true };
 /// json::write(&row, &mut text).unwrap();
 /// let start = br#"{"h": 0, "xi0": "1", "xi1": "1/2", "dtau": "1", "generated_linear": "3/8", "#;
 /// assert!(text.starts_with(start));
@@ -160,11 +162,13 @@ pub struct NumberedRow {
     pub h: u64,
     /// Its row.
     pub row: Row,
+    /// Whether its force is the one that acted: if not, what that generated is null.
+    pub accounted: bool,
 }
 
 impl Serialize for NumberedRow {
     fn serialize<T: Serializer>(&self, serializer: T) -> Result<T::Ok, T::Error> {
-        on_entry!(&self.row, entry => LedgerRow::of(self.h, entry).serialize(serializer))
+        on_entry!(&self.row, entry => LedgerRow::of(self.h, entry, self.accounted).serialize(serializer))
     }
 }
 

@@ -394,7 +394,7 @@ mod tests {
             };
             let (row, wide) = (ledger.row(&interval), ledger.wide_entry(&interval));
             let (row, wide) = (row.unwrap(), Row::Wide(Box::new(wide.unwrap())));
-            let form = crate::rows::Form { enclosures: true, force: true };
+            let form = crate::rows::Form { enclosures: true, force: true, accounted: true };
             let written = |row: &Row| {
                 let mut text = Vec::new();
                 form.write_positions(row, &mut text)?;

@@ -30,6 +30,9 @@ const COLUMNS: [(&str, Column); 15] = [
     ("violates_quantized", Column::Plain),
 ];
 
+/// Which of the energies are those of the force: what it generated, and what is left of what friction took.
+const OF_FORCE: [bool; 7] = [true, true, false, false, false, true, true];
+
 /// Whether a column may be an enclosure.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Column {
@@ -163,6 +166,8 @@ pub struct Form {
     pub enclosures: bool,
     /// Whether the applied force is a last column.
     pub force: bool,
+    /// Whether the force of the account is the one that acted: if not, the columns of what it generated are empty.
+    pub accounted: bool,
 }
 
 impl Form {
@@ -231,17 +236,19 @@ impl Form {
         figures: &Figures<S>,
         out: &mut O,
     ) -> Option<()> {
-        for [lo, hi] in figures.energies {
-            self.ends([Some(lo), Some(hi)], out)?;
+        for (ends, of_force) in figures.energies.into_iter().zip(OF_FORCE) {
+            let is_known = self.accounted || !of_force;
+            self.ends(ends.map(|end| is_known.then_some(end)), out)?;
         }
         self.ends(figures.margin, out)?;
         let truths = figures.truths;
-        for truth in [
-            truths.criterion_holds,
-            truths.violates_linear,
-            truths.violates_quantized,
+        for (truth, of_force) in [
+            (truths.criterion_holds, false),
+            (truths.violates_linear, true),
+            (truths.violates_quantized, true),
         ] {
-            match truth {
+            let is_known = self.accounted || !of_force;
+            match if is_known { truth } else { Truth::Depends } {
                 Truth::Holds => out.append(b",true"),
                 Truth::Fails => out.append(b",false"),
                 Truth::Depends => out.append(b","),

@@ -17,32 +17,35 @@ pub(crate) type Figures = [Figure<BigRational>; 5];
 ///
 /// The totals of encoder counts are enclosures for the run as a whole, tighter than the sums of
 /// the rows' enclosures: a residue that ends one interval starts the next.
+///
+/// What was generated, what is left of what friction took, and how many intervals violate an account are `None` of a log
+/// that is not accounted for: the force that acted is not known.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Totals {
     /// How many intervals.
     pub intervals: u64,
     /// Σ E_gᴸ, in KΔ².
-    pub generated_linear: Figure<BigRational>,
+    pub generated_linear: Option<Figure<BigRational>>,
     /// Σ E_g.
-    pub generated_quantized: Figure<BigRational>,
+    pub generated_quantized: Option<Figure<BigRational>>,
     /// Σ of the least dissipation.
     pub dissipated_lower: Figure<BigRational>,
     /// Σ of the net energies of the linear account.
-    pub net_linear: Figure<BigRational>,
+    pub net_linear: Option<Figure<BigRational>>,
     /// Σ of those of the quantized account.
-    pub net_quantized: Figure<BigRational>,
+    pub net_quantized: Option<Figure<BigRational>>,
     /// In how many intervals the criterion failed.
     pub criterion_fails: u64,
     /// In how many it depends.
     pub criterion_depends: u64,
     /// How many intervals violate the linear account.
-    pub violates_linear: u64,
+    pub violates_linear: Option<u64>,
     /// In how many it depends.
-    pub depends_linear: u64,
+    pub depends_linear: Option<u64>,
     /// How many intervals violate the quantized account.
-    pub violates_quantized: u64,
+    pub violates_quantized: Option<u64>,
     /// In how many it depends.
-    pub depends_quantized: u64,
+    pub depends_quantized: Option<u64>,
     /// The first interval that violates the linear account.
     pub first_linear: Option<u64>,
     /// The first that violates the quantized account.
@@ -133,19 +136,36 @@ impl Totals {
         ] = figures;
         Self {
             intervals,
-            generated_linear,
-            generated_quantized,
+            generated_linear: Some(generated_linear),
+            generated_quantized: Some(generated_quantized),
             dissipated_lower,
-            net_linear,
-            net_quantized,
+            net_linear: Some(net_linear),
+            net_quantized: Some(net_quantized),
             criterion_fails: tallies.criterion.fails,
             criterion_depends: tallies.criterion.depends,
-            violates_linear: tallies.linear.holds,
-            depends_linear: tallies.linear.depends,
-            violates_quantized: tallies.quantized.holds,
-            depends_quantized: tallies.quantized.depends,
+            violates_linear: Some(tallies.linear.holds),
+            depends_linear: Some(tallies.linear.depends),
+            violates_quantized: Some(tallies.quantized.holds),
+            depends_quantized: Some(tallies.quantized.depends),
             first_linear: tallies.linear.first_holds,
             first_quantized: tallies.quantized.first_holds,
+        }
+    }
+
+    /// Without what is of a force that is not the one that acted.
+    pub(crate) fn of_positions(self) -> Self {
+        Self {
+            generated_linear: None,
+            generated_quantized: None,
+            net_linear: None,
+            net_quantized: None,
+            violates_linear: None,
+            depends_linear: None,
+            violates_quantized: None,
+            depends_quantized: None,
+            first_linear: None,
+            first_quantized: None,
+            ..self
         }
     }
 }

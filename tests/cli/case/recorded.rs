@@ -416,3 +416,28 @@ fn what_is_missing_or_wrong_is_one_error_with_its_place() {
     let run = dir.run(&[&words[..], &said].concat());
     assert_eq!(run.code, 0, "{}", run.stderr);
 }
+
+#[test]
+fn a_log_that_is_not_accounted_for_says_nothing_of_its_energies() {
+    let dir = Dir::new();
+    let late = format!("{SCENE}[sampling]\nlatency = \"1/100\"\n");
+    let (path, log) = (dir.write("scene.toml", late), dir.write("run.csv", LAW));
+    let run = case(&dir, &path, &["--log", &log]);
+    assert_eq!(run.code, 3, "{}", run.stderr);
+    let found = &scene(&run)["recorded"]["logs"][0];
+    assert_eq!(found["evidence"]["outcome"], "open");
+    assert_eq!(found["audit"]["totals"]["violates_linear"], Value::Null);
+    let html = read(&dir, "case/case.html");
+    let table = html.rsplit("Audit of «run.csv»").next().expect("its table");
+    let table = table.split("</table>").next().expect("its end");
+    for name in [
+        "Generated, linear spring",
+        "Dissipated less generated",
+        "Deficit in",
+    ] {
+        let value = table.split(name).nth(1).expect("its row");
+        let value = value.split("</tr>").next().expect("its end");
+        assert!(value.contains("not accounted for"), "{name}: {value}");
+    }
+    assert!(!table.contains("Least energy balance"), "{table}");
+}

@@ -62,17 +62,18 @@ impl Findings {
         }
         let rows = match self.account.intervals > ROWS_IN_REPORT as u64 {
             true => None,
-            false => Some(self.exactly(task)?),
+            false => Some(self.exactly(task, scene)?),
         };
         Audit::new(task, scene, self, (law, rows))
     }
 
     /// Accounts for a short log once more, in exact numbers, so that its sums are exact: its rows.
-    fn exactly(&mut self, task: &Task<'_>) -> Result<Vec<NumberedRow>, TraceError> {
+    fn exactly(&mut self, task: &Task<'_>, scene: &Scene) -> Result<Vec<NumberedRow>, TraceError> {
         let task = Task {
             rows: None,
             ..task.clone()
         };
+        let accounted = scene.unaccounted(task.applied).is_empty();
         let mut account = Account::default();
         let mut rows = Vec::with_capacity(self.head.len());
         for (h, interval) in (0..).zip(&self.head) {
@@ -82,7 +83,7 @@ impl Findings {
                 Accounted::Exact(row) => row,
                 _ => task.ledger.row(interval).ok_or_else(undefined)?,
             };
-            rows.push(NumberedRow { h, row });
+            rows.push(NumberedRow { h, row, accounted });
         }
         let found = &mut self.account;
         account.last = found.last.take();

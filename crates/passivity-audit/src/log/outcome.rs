@@ -101,7 +101,14 @@ impl Audit {
             true => Judged::Interval,
             false => Judged::Running,
         };
-        let shown = |place: Option<&Place>| place.map(|p| Shown::new(task.ledger, p)).transpose();
+        let unaccounted = scene.unaccounted(task.applied);
+        let accounted = unaccounted.is_empty();
+        let shown = |place: Option<&Place>| {
+            let shown = place.map(|p| Shown::new(task.ledger, p, accounted));
+            shown.transpose()
+        };
+        // Of a force that is not the one that acted nothing is said.
+        let of_force = |place: Option<&Place>| shown(place.filter(|_| accounted));
         let [
             linear,
             possible_linear,
@@ -110,10 +117,9 @@ impl Audit {
             criterion,
         ] = account.firsts.each_ref().map(Option::as_ref);
         let nominal = taken_as_nominal(scene, task);
-        let unaccounted = scene.unaccounted(task.applied);
         let certificate = match linear {
             // Of a scene with an effect that is left out, the account is not that of the loop.
-            Some(place) if unaccounted.is_empty() => {
+            Some(place) if accounted => {
                 let found = Certificate::new(&scene.name, nominal.clone(), task.ledger, place);
                 Some(found.ok_or_else(undefined)?)
             }
@@ -121,7 +127,7 @@ impl Audit {
         };
         let verdict = match (&findings.error, judged) {
             (Some(_), _) => Verdict::Broken,
-            (None, _) if !unaccounted.is_empty() => Verdict::NotCovered,
+            (None, _) if !accounted => Verdict::NotCovered,
             (None, Judged::Interval) => of_intervals(&totals),
             (None, Judged::Running) => of_supply(&lowest),
         };
@@ -147,22 +153,22 @@ impl Audit {
             samples: findings.samples,
             intervals: account.intervals,
             running: Running {
-                net_linear: Least {
+                net_linear: accounted.then_some(Least {
                     least: net,
                     after: net_at,
-                },
-                supply,
+                }),
+                supply: supply.filter(|_| accounted),
             },
-            worst: shown(account.worst.as_ref().map(|(_, place)| place))?,
-            first_violation: shown(linear)?,
+            worst: of_force(account.worst.as_ref().map(|(_, place)| place))?,
+            first_violation: of_force(linear)?,
             first: Firsts {
-                linear: shown(linear)?,
-                possible_linear: shown(possible_linear)?,
-                quantized: shown(quantized)?,
-                possible_quantized: shown(possible_quantized)?,
+                linear: of_force(linear)?,
+                possible_linear: of_force(possible_linear)?,
+                quantized: of_force(quantized)?,
+                possible_quantized: of_force(possible_quantized)?,
                 criterion: shown(criterion)?,
             },
-            observer: Observer::new(&account.observer),
+            observer: accounted.then(|| Observer::new(&account.observer)),
             timing: account.timing.range.map(|[shortest, longest]| Sampling {
                 uneven: account.timing.uneven,
                 late: account.timing.late,
@@ -185,12 +191,18 @@ impl Audit {
             last_row_unended: findings.unended,
             unended_rows,
             error: findings.error,
-            totals,
+            totals: match accounted {
+                true => totals,
+                false => totals.of_positions(),
+            },
         };
         Ok(Self {
             duration: findings.duration,
             report,
-            points: account.points,
+            points: match accounted {
+                true => account.points,
+                false => Vec::new(),
+            },
             tallies: account.tallies,
             certificate,
         })
@@ -214,7 +226,8 @@ impl Audit {
         &self.report.totals
     }
 
-    /// How often the criterion held and the accounts were violated.
+    /// How often the criterion held and the accounts were violated; those of a log that is not accounted for are of a force
+    /// that is not the one that acted.
     #[must_use]
     pub const fn tallies(&self) -> &Tallies {
         &self.tallies
@@ -240,7 +253,7 @@ impl Audit {
         self.duration.as_ref().map(Number::to_rational)
     }
 
-    /// The course of the energy, for a plot; empty unless it was asked for.
+    /// The course of the energy, for a plot; empty unless it was asked for, and of a log that is not accounted for.
     #[must_use]
     pub fn points(&self) -> &[Point] {
         &self.points
@@ -265,8 +278,8 @@ impl Audit {
 /// In no interval more was generated than friction surely takes; in some; perhaps.
 const fn of_intervals(totals: &Totals) -> Verdict {
     match (totals.violates_linear, totals.depends_linear) {
-        (0, 0) => Verdict::Holds,
-        (0, _) => Verdict::Depends,
+        (Some(0), Some(0)) => Verdict::Holds,
+        (Some(0), _) => Verdict::Depends,
         _ => Verdict::Fails,
     }
 }
@@ -318,13 +331,13 @@ impl Supplied {
 }
 
 impl Shown {
-    fn new(ledger: &Ledger, place: &Place) -> Result<Self, TraceError> {
+    fn new(ledger: &Ledger, place: &Place, accounted: bool) -> Result<Self, TraceError> {
         let row = ledger.row(&place.interval).ok_or_else(undefined)?;
         let h = place.h;
         Ok(Self {
             h,
             row: h + 1,
-            ledger: NumberedRow { h, row },
+            ledger: NumberedRow { h, row, accounted },
         })
     }
 }

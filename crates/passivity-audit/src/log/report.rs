@@ -69,7 +69,7 @@ pub struct Report {
     /// The effects in the scene.
     #[serde(serialize_with = "effects")]
     pub effects: Vec<Effect>,
-    /// The effects that no theorem covers.
+    /// The effects for which the log is not accounted for: what is of the force that acted is left out.
     #[serde(serialize_with = "effects")]
     pub not_covered: Vec<Effect>,
     /// The keys of the parameters with a tolerance that were taken at their nominal value.
@@ -82,14 +82,14 @@ pub struct Report {
     pub totals: Totals,
     /// How low energies ran.
     pub running: Running,
-    /// The interval with the least net energy.
+    /// The interval with the least net energy; `None` of a log that is not accounted for.
     pub worst: Option<Shown>,
     /// The first interval that violates the linear account.
     pub first_violation: Option<Shown>,
     /// The first interval of each kind.
     pub first: Firsts,
-    /// The passivity observer.
-    pub observer: Observer,
+    /// The passivity observer; `None` of a log that is not accounted for.
+    pub observer: Option<Observer>,
     /// How evenly the trace was sampled; `None` when it does not say.
     pub timing: Option<Sampling>,
     /// How the forces of the trace agree with the wall's law; `None` without forces.
@@ -132,9 +132,9 @@ pub struct UnendedRow {
 /// How low energies ran, in KΔ².
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Running {
-    /// Σ of net energy, at the least.
-    pub net_linear: Least,
-    /// What the operator has put in; `None` of an empty trace.
+    /// Σ of net energy, at the least; `None` of a log that is not accounted for.
+    pub net_linear: Option<Least>,
+    /// What the operator has put in; `None` of an empty trace, and of one that is not accounted for.
     pub supply: Option<Supplied>,
 }
 

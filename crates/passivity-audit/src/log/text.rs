@@ -138,7 +138,7 @@ impl Report {
             }
             (Verdict::Fails, Judged::Interval) => format!(
                 "FAILS: {} generated more than friction surely dissipates{}",
-                intervals(self.totals.violates_linear),
+                intervals(self.totals.violates_linear.unwrap_or(0)),
                 first_row(self.totals.first_linear)
             ),
             (Verdict::Fails, Judged::Running) => {
@@ -154,15 +154,14 @@ impl Report {
             ),
             (Verdict::Depends, Judged::Interval) => format!(
                 "DEPENDS: {} may have generated more than friction dissipates{}",
-                intervals(self.totals.depends_linear),
+                intervals(self.totals.depends_linear.unwrap_or(0)),
                 first_row(self.first.possible_linear.as_ref().map(|shown| shown.h))
             ),
             (Verdict::Depends, Judged::Running) => {
                 format!("DEPENDS: the operator may have drawn more than {stored}{aside}")
             }
             (Verdict::NotCovered, _) => {
-                let words: Vec<&str> = self.not_covered.iter().map(|e| e.words()).collect();
-                format!("NOT ACCOUNTED FOR in a log: {}", words.join("; "))
+                format!("NOT ACCOUNTED FOR in a log: {}", self.left_out())
             }
             (Verdict::Broken, _) => {
                 if self.intervals > 0 {
@@ -174,22 +173,41 @@ impl Report {
         }
     }
 
+    /// The effects for which the log is not accounted for, in words.
+    fn left_out(&self) -> String {
+        let words: Vec<&str> = self.not_covered.iter().map(|e| e.words()).collect();
+        words.join("; ")
+    }
+
     fn energies(&self, out: &mut Lines) {
         let counted = match self.positions {
             Form::Count => " (encoder counts: figures are exact enclosures)",
             _ => "",
         };
         out.put("intervals", &format!("{}{counted}", self.intervals));
-        if self.account == Force::Applied {
-            out.put("account", "of the force in the trace");
+        match self.account {
+            _ if !self.not_covered.is_empty() => {
+                let text = format!(
+                    "of the positions alone, whatever force acted ({})",
+                    self.left_out()
+                );
+                out.put("account", &text);
+            }
+            Force::Applied => out.put("account", "of the force in the trace"),
+            Force::Law => {}
         }
         let totals = &self.totals;
-        for (label, figure) in [
-            ("generated, linear spring", &totals.generated_linear),
-            ("generated, quantized spring", &totals.generated_quantized),
-            ("dissipated at least", &totals.dissipated_lower),
-            ("dissipated less generated", &totals.net_linear),
-        ] {
+        let figures = [
+            ("generated, linear spring", totals.generated_linear.as_ref()),
+            (
+                "generated, quantized spring",
+                totals.generated_quantized.as_ref(),
+            ),
+            ("dissipated at least", Some(&totals.dissipated_lower)),
+            ("dissipated less generated", totals.net_linear.as_ref()),
+        ];
+        for (label, figure) in figures {
+            let Some(figure) = figure else { continue };
             out.put(label, &format!("{} {}", shown(figure), self.energy_unit()));
         }
     }
@@ -201,10 +219,16 @@ impl Report {
             (n, open) => format!("{}, {open} undecided", intervals(n)),
         };
         let totals = &self.totals;
-        let linear = short(totals.violates_linear, totals.depends_linear);
-        out.put("deficit, linear spring", &linear);
-        let quantized = short(totals.violates_quantized, totals.depends_quantized);
-        out.put("deficit, quantized spring", &quantized);
+        let linear = totals.violates_linear.zip(totals.depends_linear);
+        let quantized = totals.violates_quantized.zip(totals.depends_quantized);
+        for (label, counts) in [
+            ("deficit, linear spring", linear),
+            ("deficit, quantized spring", quantized),
+        ] {
+            if let Some((surely, open)) = counts {
+                out.put(label, &short(surely, open));
+            }
+        }
         let (fails, depends) = (totals.criterion_fails, totals.criterion_depends);
         let criterion = format!("{}, {depends} undecided", intervals(fails));
         out.put("criterion fails in", &criterion);
@@ -229,9 +253,11 @@ impl Report {
             );
             out.put("least energy balance", &text);
         }
-        let (energy, least) = (approx(&self.observer.energy), approx(&self.observer.least));
-        let text = format!("{energy} {unit}, lowest {least}");
-        out.put("passivity observer −Σ f·Δx", &text);
+        if let Some(observer) = &self.observer {
+            let (energy, least) = (approx(&observer.energy), approx(&observer.least));
+            let text = format!("{energy} {unit}, lowest {least}");
+            out.put("passivity observer −Σ f·Δx", &text);
+        }
     }
 
     fn sampling(&self, out: &mut Lines) {

@@ -3,6 +3,7 @@
 
 mod forces;
 mod mistakes;
+mod unaccounted;
 
 use std::fmt::Write as _;
 
@@ -48,6 +49,7 @@ fn expected(
     let form = Form {
         enclosures,
         force: false,
+        accounted: true,
     };
     let mut text = format!("{}\n", form.header()).into_bytes();
     for (i, sample) in samples.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! A log of the device in the scene, audited.
 
 use num_traits::ToPrimitive as _;
-use passivity_audit::{Dialect, Finding, Options, Report, Verdict, audit};
+use passivity_audit::{Dialect, Finding, Force, Options, Report, Verdict, audit};
 use passivity_core::{BigRational, Interval};
 use passivity_scene::check::enclosure;
 use passivity_scene::display::{approx, range};
@@ -92,7 +92,14 @@ impl Log {
     /// What the forces of the log say, in words.
     #[must_use]
     pub fn force_text(&self) -> String {
+        let accounted = self.report.not_covered.is_empty();
         match &self.report.force {
+            None if !accounted && self.report.account == Force::Law => {
+                "none in the log, and the one that acted is not accounted for".to_owned()
+            }
+            _ if !accounted => {
+                "in the log, and the one that acted is not accounted for".to_owned()
+            }
             None => {
                 "none in the log: the account is of the force that the wall's law commands at the \
                      recorded positions"

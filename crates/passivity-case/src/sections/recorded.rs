@@ -80,17 +80,18 @@ fn audited(document: &mut Document, study: &Study, log: &Log) {
     }
     row("Force", log.force_text());
     let (totals, unit) = (&report.totals, report.energy_unit());
+    let unknown = || "not accounted for".to_owned();
     for (name, figure) in [
-        ("Generated, linear spring", &totals.generated_linear),
-        ("Dissipated at least", &totals.dissipated_lower),
-        ("Dissipated less generated", &totals.net_linear),
+        ("Generated, linear spring", totals.generated_linear.as_ref()),
+        ("Dissipated at least", Some(&totals.dissipated_lower)),
+        ("Dissipated less generated", totals.net_linear.as_ref()),
     ] {
-        row(name, format!("{} {unit}", outward(figure)));
+        let text = figure.map(|figure| format!("{} {unit}", outward(figure)));
+        row(name, text.unwrap_or_else(unknown));
     }
-    row(
-        "Deficit in",
-        counted(totals.violates_linear, totals.depends_linear),
-    );
+    let deficit = totals.violates_linear.zip(totals.depends_linear);
+    let deficit = deficit.map(|(surely, open)| counted(surely, open));
+    row("Deficit in", deficit.unwrap_or_else(unknown));
     row(
         "Criterion fails in",
         counted(totals.criterion_fails, totals.criterion_depends),

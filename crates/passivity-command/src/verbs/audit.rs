@@ -200,6 +200,10 @@ fn drawn(args: &Args, scene: &Scene, report: &Audit) -> Result<(), Failure> {
     let Some(path) = &args.plot else {
         return Ok(());
     };
+    if !report.report().not_covered.is_empty() {
+        tell(&format!("no picture is drawn: {LEFT_OUT}"));
+        return Ok(());
+    }
     let course: Vec<Point> = report.points().iter().map(point).collect();
     let mut title = format!("{} in {}", traces(args), scene.name);
     if let Some(error) = &report.report().error {
@@ -303,12 +307,15 @@ pub(crate) fn names(paths: &[PathBuf]) -> String {
     names.join(", ")
 }
 
+/// Why there is nothing to show of a log that is not accounted for.
+const LEFT_OUT: &str = "the scene has an effect that the account of a log leaves out";
+
 /// Writes the certificate of the first violated interval, or says why there is none.
 fn certify(report: &Audit, path: &Path) -> Result<(), Failure> {
     let Some(certificate) = report.certificate() else {
         let because = match report.report().not_covered.is_empty() {
             true => "no interval surely generated more than friction surely dissipates",
-            false => "the scene has an effect that the account of a log leaves out",
+            false => LEFT_OUT,
         };
         tell(&format!("no certificate is written: {because}"));
         return Ok(());

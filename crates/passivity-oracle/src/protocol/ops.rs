@@ -118,7 +118,11 @@ fn interval(fields: &Fields<'_>, mut work: Work) -> Result<NumberedRow, Refusal>
         force,
     };
     let row = ledger.row(&logged).ok_or_else(undefined)?;
-    Ok(NumberedRow { h, row })
+    Ok(NumberedRow {
+        h,
+        row,
+        accounted: true,
+    })
 }
 
 /// Rows and totals: a list `xi` (or `positions`) or `count` (or `counts`), `dtau`, a number or a list
@@ -168,7 +172,14 @@ fn sequence(fields: &Fields<'_>, mut work: Work, out: &mut Vec<u8>) -> Result<()
             out.extend_from_slice(b", ");
         }
         let h = run.intervals() - 1;
-        put(&row.map(|row| NumberedRow { h, row }), out)?;
+        put(
+            &row.map(|row| NumberedRow {
+                h,
+                row,
+                accounted: true,
+            }),
+            out,
+        )?;
         // Rows are many: they are written as they come, and no more than can be kept.
         if out.len() - start > MAX_ANSWER {
             let message = format!("the rows take more than {MAX_ANSWER} bytes");

@@ -89,7 +89,8 @@ class Verdict(Record):
 
 class AuditReport(Record):
     """What :func:`passivity.audit` says of a log. ``certificate`` is the first violated interval with all
-    that its figures follow from, or ``None``."""
+    that its figures follow from, or ``None``. Where the verdict is ``not_covered``, what is of the force is ``None``:
+    ``observer`` and, in ``totals`` and rows, what was generated, net energies and violations."""
 
     certificate = None
 

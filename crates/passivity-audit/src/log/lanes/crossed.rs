@@ -194,6 +194,7 @@ mod tests {
     const FORM: Form = Form {
         enclosures: true,
         force: true,
+        accounted: true,
     };
 
     /// Coulomb friction of just half a tick and of less, so that margins at rest have another end, or both.

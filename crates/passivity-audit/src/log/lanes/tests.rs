@@ -331,7 +331,7 @@ proptest! {
         rows in prop::collection::vec(row(), 1..TILE + 1), exact: bool, force: bool,
     ) {
         let ledger = ledger(if exact { EXACT } else { BETWEEN });
-        written(&ledger, &rows, Form { enclosures: true, force })?;
+        written(&ledger, &rows, Form { enclosures: true, force, accounted: true })?;
     }
 }
 
@@ -405,6 +405,7 @@ fn most_rows_of_a_log_are_decided() {
         let form = Form {
             enclosures: true,
             force: applied,
+            accounted: true,
         };
         assert_eq!(written(&ledger, &rows, form).unwrap(), TILE);
     }

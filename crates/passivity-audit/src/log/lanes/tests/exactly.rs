@@ -55,6 +55,7 @@ fn written(
     let form = Form {
         enclosures: columns.contains(&"count") || !ledger.wide().friction_is_exact(),
         force: applied,
+        accounted: true,
     };
     let task = Task {
         rows: Some(form),
