@@ -71,6 +71,50 @@ fn the_margin_is_the_left_side_of_the_criterion_that_is_printed() {
     );
 }
 
+/// What `check` decides is the hardest device within the tolerances: at the critical speed of the desk's arm, 1.4, there is
+/// (0 − ½) + (6/5 − ½)/1.4 = 0, and the tolerance of re35's viscous friction is one of 1/20 about ½.
+#[test]
+fn the_criterion_of_tolerances_is_that_of_their_ends() {
+    let dir = Dir::new();
+    for (file, beta, lines) in [
+        (
+            "desk/arm.toml",
+            "β = (0 … 0.1)/(1000 · 0.001) = 0 … 0.1",
+            "at the hardest end of the tolerances: (0 − 1/2) + (6/5 − 1/2)/v ≥ 0; at the easiest: \
+             (1/10 − 1/2) + (1200 − 1/2)/v ≥ 0",
+        ),
+        (
+            "tolerance-straddling.toml",
+            "β = (8.1e-6 … 9.9e-6)/(0.018 · 0.001) = 0.45 … 0.55",
+            "at the hardest end of the tolerances: (9/20 − 1/2) + (115.89 − 1/2)/v ≥ 0; at the \
+             easiest: (11/20 − 1/2) + (173.84 − 1/2)/v ≥ 0",
+        ),
+    ] {
+        let scene = format!("{}/../../scenes/{file}", env!("CARGO_MANIFEST_DIR"));
+        let text = dir.run(&["explain", &scene]).stdout;
+        let words: Vec<&str> = text.split_whitespace().collect();
+        let text = words.join(" ");
+        for expected in [beta, lines] {
+            assert!(text.contains(expected), "{file}: {text}");
+        }
+    }
+}
+
+/// Where virtual damping is behind an encoder, a short period costs Coulomb friction BΔ/T and a long one viscous friction.
+#[test]
+fn the_hardest_period_is_the_one_at_which_the_criterion_fails() {
+    let dir = Dir::new();
+    let scene = "[device]\nviscous = \"4 N s/m\"\ncoulomb = \"2 N\"\n[sampling]\n\
+                 period = \"0.5 … 1 s\"\n[encoder]\nresolution = \"1 m\"\n[wall]\n\
+                 stiffness = \"1 N/m\"\ndamping = \"1 N s/m\"\n";
+    let name = dir.write("both.toml", scene);
+    let text = dir.run(&["explain", &name]).stdout;
+    // c − KΔ/2 − BΔ/T is ½ at T = 1 and −½ at T = ½; b − KT/2 − B is above 0 at both.
+    assert!(text.contains("DEPENDS"), "{text}");
+    assert!(text.contains("(8 − 5/2) + (2 − 5/2)/v ≥ 0"), "{text}");
+    assert!(text.contains("(4 − 3/2) + (2 − 3/2)/v ≥ 0"), "{text}");
+}
+
 /// A force that changes within an interval may be moved against there and back: what is generated then, with no distance
 /// from sample to sample, grows with the way that was gone. So an actuator is charged by the velocity at every instant
 /// (TH-LAG, TH-LATENCY), and friction takes it so (23).

@@ -2,11 +2,10 @@
 //! costs.
 
 use passivity_core::BigRational;
-use passivity_core::parameter::Hurts;
 use passivity_core::verdict::End;
 use passivity_plot::plane::{self, Mark};
+use passivity_scene::Point;
 use passivity_scene::display::{range, significant};
-use passivity_scene::{Point, Scene};
 use passivity_sim::plot::motion::{self, Motion};
 use passivity_sim::scales::Scales;
 use passivity_sim::{ExactOutcome, Plan, accuracy, plot, run};
@@ -66,27 +65,10 @@ pub fn of_plane(study: &Study) -> Vec<Block> {
     }
 }
 
-/// The scene with each parameter at the end of its tolerance at which the criterion is hardest to
-/// meet, and whether that is another scene.
-fn at_hardest_end(scene: &Scene) -> (Scene, bool) {
-    let mut scene = scene.clone();
-    let mut moved = false;
-    scene.given = scene.given.map(|parameter, given| {
-        let mut given = given.clone();
-        // What has no part in the criterion stays as it is.
-        if parameter.row().hurts != Hurts::Neither {
-            moved |= given.has_tolerance();
-            given.nominal = End::Hardest.of(parameter, &given.value).clone();
-        }
-        given
-    });
-    (scene, moved)
-}
-
 /// The motion to show: where it starts, in which words; `None` for a scene with neither a start nor
 /// a bound on the speed.
 fn to_simulate(study: &Study) -> Option<(Point, String)> {
-    let (scene, moved) = at_hardest_end(&study.scene);
+    let scene = study.scene.at(End::Hardest);
     let mut point = scene.point();
     let mut from = if scene.has_start() {
         "from the start in the scene".to_owned()
@@ -99,7 +81,7 @@ fn to_simulate(study: &Study) -> Option<(Point, String)> {
             bound.text
         )
     };
-    if moved {
+    if study.scene.has_ends() {
         from.push_str(", at the end of the tolerances at which the criterion is hardest to meet");
     }
     Some((point, from))
@@ -138,8 +120,7 @@ pub fn of_motion(study: &Study) -> Vec<Block> {
         ExactOutcome::NeverAtRest => "never comes to rest".to_owned(),
         ExactOutcome::Undecided => format!("is undecided after {} intervals", end.intervals),
     };
-    let (scene, _) = at_hardest_end(&study.scene);
-    let scales = Scales::of(&scene);
+    let scales = Scales::of(&study.scene.at(End::Hardest));
     let energy = |x: f64| match scales.ticks {
         true => format!("{} KΔ²", significant(x)),
         false => format!(
@@ -202,6 +183,7 @@ mod tests {
     use std::path::Path;
 
     use passivity_core::Parameter;
+    use passivity_scene::Scene;
 
     use super::*;
 
@@ -211,7 +193,7 @@ mod tests {
                     [sampling]\nperiod = \"2 s ± 1\"\n[encoder]\nresolution = \"1 m ± 0.5\"\n\
                     [wall]\nstiffness = \"5 N/m ± 2\"\n[operator]\nmax_speed = \"6 m/s ± 1\"\n";
         let scene = Scene::from_toml("s", text).unwrap();
-        let (hardest, moved) = at_hardest_end(&scene);
+        let hardest = scene.at(End::Hardest);
         let value = |parameter| {
             let given = hardest.given.get(parameter).unwrap();
             given.nominal.to_rational().unwrap().to_string()
@@ -224,7 +206,7 @@ mod tests {
             Parameter::Stiffness,
             Parameter::MaxSpeed,
         ];
-        assert!(moved);
+        assert!(scene.has_ends() && !hardest.has_ends());
         assert_eq!(parameters.map(value), ["3", "2", "3", "3/2", "7", "7"]);
         let study = Study::new(scene, text.to_owned(), Path::new("s.toml"));
         // 7 m/s over 3 s and 1.5 m: 14 ticks in a sampling period.

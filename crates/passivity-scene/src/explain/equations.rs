@@ -104,21 +104,18 @@ pub(super) fn motion(scene: &Scene) -> String {
     format!("{} = φ_H + {wall}", left.join(" + "))
 }
 
-/// What a step may generate, in letters and numbers.
+/// What a step may generate, in letters.
 pub(super) struct Cost {
     /// What is generated at most, beside what the storage gives up.
     pub(super) bound: String,
     pub(super) viscous: String,
-    pub(super) viscous_number: String,
     pub(super) coulomb: String,
-    pub(super) coulomb_number: String,
     pub(super) id: &'static str,
 }
 
 impl Cost {
     pub(super) fn of(scene: &Scene) -> Self {
         let at = scene.point().at;
-        let cost = at.cost();
         let (viscous, id) = viscous(&at);
         let sum = |terms: &[String]| match terms {
             [] => "0".to_owned(),
@@ -136,12 +133,24 @@ impl Cost {
         Self {
             bound,
             viscous,
-            viscous_number: readable(&cost.viscous),
             coulomb,
-            coulomb_number: readable(&cost.coulomb),
             id,
         }
     }
+}
+
+/// The criterion (8) in the numbers of a scene, at its nominal values.
+pub(super) fn criterion(scene: &Scene) -> String {
+    let at = scene.point().at;
+    let cost = at.cost();
+    let [beta, viscous, sigma, coulomb] = [
+        &at.viscous_friction(),
+        &cost.viscous,
+        &at.coulomb_friction(),
+        &cost.coulomb,
+    ]
+    .map(readable);
+    format!("({beta} − {viscous}) + ({sigma} − {coulomb})/v ≥ 0")
 }
 
 /// What the cost in β and in σ is times: a force that changes within an interval is charged by the instant.
@@ -314,7 +323,7 @@ pub(super) fn computed(scene: &Scene, report: &Report) -> Option<(&'static str, 
 }
 
 /// A rational as it is when short, else rounded.
-pub(super) fn readable(x: &BigRational) -> String {
+fn readable(x: &BigRational) -> String {
     let exact = x.to_string();
     if exact.len() <= 12 { exact } else { approx(x) }
 }

@@ -6,15 +6,16 @@ mod theorems;
 
 use std::fmt::Write as _;
 
+use passivity_core::verdict::End;
 use passivity_core::{BigRational, Effect, Parameter};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
-use crate::check::{Report, Verdict, check, words};
-use crate::display::{approx, range, wrapped};
+use crate::check::{Report, Verdict, check, enclosure, words};
+use crate::display::{range, wrapped};
 use crate::json::shape;
 use crate::scene::{Motion, Scene};
-use equations::{Cost, held_force, motion, readable};
+use equations::{Cost, held_force, motion};
 pub use frequency::Frequency;
 pub(crate) use theorems::used;
 
@@ -188,7 +189,6 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
             numbers,
         });
     };
-    let point = scene.point();
     if scene.motion != Motion::Dimensionless {
         push(
             Step::Beta,
@@ -226,8 +226,6 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
     }
     let (id, friction) = equations::dissipated(scene);
     push(Step::Dissipated, id, friction, String::new());
-    let beta = readable(&point.at.viscous_friction());
-    let sigma = readable(&point.at.coulomb_friction());
     push(
         Step::Criterion,
         "(8)",
@@ -235,10 +233,16 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
             "(β − {}) + (σ − {})/v ≥ 0 at every speed v > 0 that occurs",
             cost.viscous, cost.coulomb
         ),
-        format!(
-            "({beta} − {}) + ({sigma} − {})/v ≥ 0",
-            cost.viscous_number, cost.coulomb_number
-        ),
+        match scene.has_ends() {
+            false => equations::criterion(scene),
+            true => {
+                let [hardest, easiest] =
+                    [End::Hardest, End::Easiest].map(|end| equations::criterion(&scene.at(end)));
+                format!(
+                    "at the hardest end of the tolerances: {hardest}; at the easiest: {easiest}"
+                )
+            }
+        },
     );
     if let Some(speed) = report.critical_ticks_text() {
         let formula = "equality at the critical speed v_c".to_owned();
@@ -274,14 +278,15 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
 
 /// β or σ with the scene's own figures.
 fn units_text(scene: &Scene, report: &Report, which: char) -> String {
-    let nominal = |parameter: Parameter| match scene.given.get(parameter) {
-        Some(given) => given
-            .nominal
-            .enclosure(64)
-            .map_or_else(|| given.text.clone(), |x| approx(x.lo())),
+    let given = |parameter: Parameter| match scene.given.get(parameter) {
+        Some(given) => match enclosure(&given.value).map(|value| range(&value)) {
+            Some(both) if given.has_tolerance() => format!("({both})"),
+            Some(one) => one,
+            None => given.text.clone(),
+        },
         None => "0".to_owned(),
     };
-    let stiffness = nominal(Parameter::Stiffness);
+    let stiffness = given(Parameter::Stiffness);
     let (friction, unit, value) = match (which, &report.sigma) {
         ('σ', Some(sigma)) => (Parameter::Coulomb, Parameter::Resolution, sigma),
         _ => (Parameter::Viscous, Parameter::Period, &report.beta),
@@ -293,8 +298,8 @@ fn units_text(scene: &Scene, report: &Report, which: char) -> String {
     };
     format!(
         "{which} = {}/({stiffness} · {}) = {}",
-        nominal(friction),
-        nominal(unit),
+        given(friction),
+        given(unit),
         range(value)
     )
 }
