@@ -357,3 +357,37 @@ fn a_way_that_leaves_the_frame_has_no_head_and_no_name_on_it() {
     let x = x.and_then(|x| x.parse::<f64>().ok()).expect("a place");
     assert!(x > 200.0, "{x}");
 }
+
+/// Of friction of which bounds are given, 0 … 0.1 and from 1.2 on, the mark is the device that `check` decides: without viscous
+/// friction and with the least Coulomb friction. Its speed is 40 mm/s, 4/3 ticks per sample.
+#[test]
+fn a_scene_with_tolerances_stands_at_their_hardest_end() {
+    let dir = Dir::new();
+    let arm = format!("{}/../../scenes/desk/arm.toml", env!("CARGO_MANIFEST_DIR"));
+    let run = dir.run(&["plane", &arm, "--plot", "plane.svg", "--format", "json"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let placed = &run.json()["scenes"][0];
+    let numbers = ["beta", "sigma", "speed"].map(|key| placed[key].as_f64());
+    assert_eq!(numbers, [Some(0.0), Some(1.2), Some(4.0 / 3.0)]);
+    let svg = std::fs::read_to_string(dir.path("plane.svg")).expect("a picture");
+    for words in [
+        "(0, 1.2): passive",
+        "at the hardest end of its tolerances",
+        "critical line at 1.3333 ticks/sample",
+    ] {
+        assert!(svg.contains(&format!(">{words}<")), "{words}");
+    }
+    // The axis of σ ends at 1.25 times 1.2, not at a multiple of the thousandfold that an open bound is taken for.
+    assert!(svg.contains(">1.4<") && !svg.contains(">1000<"), "{svg}");
+    // Of a period with a tolerance the line is at the speed of the same device, and is not cut short.
+    let text = std::fs::read_to_string(&arm).expect("a shipped scene");
+    let slow = dir.write("slow.toml", text.replace("1 kHz", "1 kHz ± 5 %"));
+    let run = dir.run(&["plane", &slow, "--plot", "plane.svg"]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let svg = std::fs::read_to_string(dir.path("plane.svg")).expect("a picture");
+    // 4/3 over 0.95.
+    assert!(
+        svg.contains(">critical line at 1.4035 ticks/sample<"),
+        "{svg}"
+    );
+}

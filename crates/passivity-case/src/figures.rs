@@ -43,7 +43,8 @@ pub fn of_plane(study: &Study) -> Vec<Block> {
     );
     let mut place = String::new();
     if has_tolerance {
-        place += "The rectangle holds every value within the tolerances. ";
+        place += "The disc and the arrows are at the hardest end of the tolerances, which decides the \
+                  verdict; the rectangle holds every value within them, as far as the picture goes. ";
     }
     if has_costs {
         place += "It is drawn at β and σ less what its effects cost beyond the two halves of \

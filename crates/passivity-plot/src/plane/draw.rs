@@ -42,17 +42,24 @@ pub fn draw(marks: &[Mark]) -> Result<String, PlotError> {
 ///
 /// See [`draw`].
 pub fn draw_on_axes(marks: &[Mark], log: [Option<bool>; 2]) -> Result<String, PlotError> {
-    let finite = |mark: &Mark| mark.beta.iter().chain(&mark.sigma).all(|x| x.is_finite());
+    let finite = |mark: &Mark| {
+        let shown = mark.shown();
+        let mut all = shown.as_flattened().iter().chain([&mark.at.0, &mark.at.1]);
+        all.all(|x| x.is_finite())
+    };
     if !marks.iter().all(finite) {
         return Err(PlotError::new(
             "plane: a scene lies too far out to be drawn",
         ));
     }
-    let values = |of: fn(&Mark) -> [f64; 2]| marks.iter().flat_map(of).collect::<Vec<_>>();
+    let values = |of: fn([[f64; 2]; 2]) -> [f64; 2]| {
+        let shown = marks.iter().map(Mark::shown);
+        shown.flat_map(of).collect::<Vec<_>>()
+    };
     let [log_x, log_y] = log;
     let frame = Frame {
-        x: extent(&values(|mark| mark.beta), log_x),
-        y: extent(&values(|mark| mark.sigma), log_y),
+        x: extent(&values(|[beta, _]| beta), log_x),
+        y: extent(&values(|[_, sigma]| sigma), log_y),
         from: FROM,
         to: TO,
     };
@@ -77,7 +84,7 @@ pub fn draw_on_axes(marks: &[Mark], log: [Option<bool>; 2]) -> Result<String, Pl
         tolerances(&mut svg, &frame, mark, colour(number));
     }
     let placed = marks.iter().map(|mark| {
-        let (beta, sigma) = mark.middle();
+        let (beta, sigma) = mark.at;
         (Some(frame.clamped([beta, sigma])), mark.verdict)
     });
     for (place, numbers) in scenes(&mut svg, &mut labels, placed) {
@@ -129,7 +136,7 @@ fn names(svg: &mut Svg, frame: &Frame, labels: &mut Labels, marks: &[Mark]) {
     let ways: Vec<[Pixel; 2]> = marks
         .iter()
         .flat_map(|mark| {
-            let (beta, sigma) = mark.middle();
+            let (beta, sigma) = mark.at;
             let from = frame.clamped([beta, sigma]);
             [mark.faster, mark.finer].map(|(x, y)| [from, frame.clamped([x, y])])
         })
@@ -176,7 +183,7 @@ fn ways(svg: &mut Svg, frame: &Frame, mark: &Mark, colour: &str) {
             dash: "3 4",
         },
     );
-    let (beta, sigma) = mark.middle();
+    let (beta, sigma) = mark.at;
     let from = frame.clamped([beta, sigma]);
     for (x, y) in [mark.faster, mark.finer] {
         let to = frame.clamped([x, y]);

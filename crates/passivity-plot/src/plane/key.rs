@@ -3,8 +3,8 @@
 use passivity_scene::check::Verdict;
 use passivity_scene::display::significant;
 
-use super::Mark;
 use super::draw::REGIONS;
+use super::{Mark, Tolerances};
 use crate::parameters::{colour, scene};
 use crate::svg::{Anchor, DARK, Pixel, Stroke, Svg, rectangle};
 
@@ -82,7 +82,7 @@ pub(super) fn draw(svg: &mut Svg, marks: &[Mark], [x, top]: Pixel) -> f64 {
         scene(svg, [x + 11.0, y + 7.0], mark.verdict, colour(number));
         words(svg, y, 14.0, &format!("{}: {}", number + 1, mark.name));
         y += 17.0;
-        let (beta, sigma) = mark.middle();
+        let (beta, sigma) = mark.at;
         let verdict = mark.verdict.name().replace('_', " ");
         words(
             svg,
@@ -91,6 +91,10 @@ pub(super) fn draw(svg: &mut Svg, marks: &[Mark], [x, top]: Pixel) -> f64 {
             &format!("({}, {}): {verdict}", significant(beta), significant(sigma)),
         );
         y += 16.0;
+        if mark.tolerances != Tolerances::None {
+            words(svg, y, 12.0, "at the hardest end of its tolerances");
+            y += 16.0;
+        }
         if let Some((_, name)) = &mark.speed {
             svg.line(
                 &[[x, y + 7.0], [x + 24.0, y + 7.0]],

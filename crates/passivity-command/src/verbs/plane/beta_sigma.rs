@@ -1,6 +1,6 @@
 //! The (β, σ) plane with scenes in it.
 
-use passivity_core::{BigRational, Interval};
+use passivity_core::verdict::End;
 use passivity_plot::plane::{Mark, draw_on_axes};
 use passivity_scene::check::{Verdict, check};
 use passivity_scene::number::nearest_f64;
@@ -21,10 +21,10 @@ struct Document {
 #[derive(Serialize)]
 struct Placed {
     scene: String,
-    /// β and σ in the middle of their tolerances.
+    /// β and σ of the device at the hardest end of the tolerances.
     beta: f64,
     sigma: Option<f64>,
-    /// From the least to the largest, less what effects cost beyond ½: where it is drawn.
+    /// From the least to the largest over the tolerances, less what effects cost beyond ½: where it is drawn.
     beta_less_cost: [f64; 2],
     sigma_less_cost: [f64; 2],
     speed: Option<f64>,
@@ -59,11 +59,11 @@ pub(super) fn run(args: &Args) -> Result<Exit, Failure> {
                 report.scene
             )));
         };
-        let middle = |x: &Interval<BigRational>| nearest_f64(&x.middle());
+        let friction = scene.at(End::Hardest).point().at.friction();
         documents.push(Placed {
             scene: report.scene.clone(),
-            beta: middle(&report.beta),
-            sigma: report.sigma.as_ref().map(middle),
+            beta: nearest_f64(&friction.beta),
+            sigma: Some(nearest_f64(&friction.sigma)),
             beta_less_cost: mark.beta,
             sigma_less_cost: mark.sigma,
             speed: mark.speed.as_ref().map(|(v, _)| *v),
