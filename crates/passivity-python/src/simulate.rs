@@ -74,7 +74,7 @@ pub(crate) fn simulate(
     })?;
     let run = run.map_err(|error| of_simulation(&error))?;
     let seconds = begin.elapsed().as_secs_f64();
-    let report = Report::new(&scene.name, &plan, &method, &run, Some(seconds));
+    let report = Report::new(&scene, &plan, &method, &run, Some(seconds));
     let report = report.map_err(|error| of_simulation(&error))?;
     let report = serde_json::to_string(&report).map_err(|error| of_simulation(&error))?;
     Ok((report, COLUMNS.into_iter().zip(columns).collect()))

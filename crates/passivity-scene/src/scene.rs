@@ -7,6 +7,7 @@ use passivity_core::parameter::Hurts;
 use passivity_core::verdict::{End, decide};
 use passivity_core::{BigRational, Effect, Exact, Interval, Loop, Parameter, Scalar};
 
+use crate::check::enclosure;
 use crate::written::Written;
 
 /// How the device moves, which fixes the units of everything.
@@ -100,6 +101,19 @@ impl Given {
     #[must_use]
     pub fn is_bound(&self) -> bool {
         self.has_tolerance() && [self.value.lo(), self.value.hi()].contains(&&self.nominal)
+    }
+
+    /// The nominal value as people read it, and what the file says: `0.001 N m s/rad, the bound of < 1e-3 N m s/rad`.
+    #[must_use]
+    pub fn nominal_text(&self) -> String {
+        let value = enclosure(&Interval::point(self.nominal.clone()));
+        let value = value.map_or_else(String::new, |value| self.written.text(&value, ""));
+        let of = if self.is_bound() {
+            "the bound of"
+        } else {
+            "of"
+        };
+        format!("{}, {of} {}", value.trim_end(), self.text)
     }
 
     /// Whether the value is zero, without a tolerance.
@@ -245,6 +259,14 @@ impl Scene {
             (End::Hardest, true, false) | (End::Easiest, false, true) => other,
             _ => first,
         }
+    }
+
+    /// The parameters with a tolerance that a motion depends on, which is of the device at their nominal values.
+    pub fn nominal(&self) -> impl Iterator<Item = &Given> {
+        let given = self.parameters().into_iter();
+        let moving = given.filter(|(parameter, _)| *parameter != Parameter::MaxSpeed);
+        let moving = moving.map(|(_, given)| given);
+        moving.filter(|given| given.has_tolerance())
     }
 
     /// How values of the file were taken, where a reader could have taken them otherwise.

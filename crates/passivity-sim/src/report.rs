@@ -3,7 +3,13 @@
 //!
 //! JSON has no infinities: a figure without a finite value is an error.
 
+use std::collections::BTreeMap;
+
+use passivity_core::{Exact, Interval, Parameter};
+use passivity_scene::check::enclosure;
 use passivity_scene::display::{Rounding, outward};
+use passivity_scene::number::nearest_f64;
+use passivity_scene::{Given, Scene};
 use schemars::JsonSchema;
 use serde::ser::Error as _;
 use serde::{Serialize, Serializer};
@@ -27,6 +33,11 @@ pub struct Simulation {
     pub method_parameter: String,
     /// The effects in the scene.
     pub effects: Vec<&'static str>,
+    /// The keys of the parameters with a tolerance that were taken at their nominal value: that before a `±`, the middle of a
+    /// range, or the bound where one is given.
+    pub nominal: Vec<&'static str>,
+    /// These values, in SI units, or in K, T and Δ where the scene has no units.
+    pub nominal_values: BTreeMap<&'static str, f64>,
     /// What is computed in each interval.
     pub plan: Vec<String>,
     /// How many intervals were run.
@@ -131,15 +142,30 @@ fn finite(x: f64, figure: &'static str, interval: u64) -> Result<f64, SimError> 
     }
 }
 
+/// The parameters that a plan of a scene takes at their nominal values; none in whose place a speed was typed.
+pub fn taken<'s>(scene: &'s Scene, plan: &Plan) -> impl Iterator<Item = &'s Given> {
+    let [_, velocity] = scene.point().start();
+    let [_, started] = plan.start();
+    let is_typed = nearest_f64(&velocity) != started;
+    let start = Parameter::StartVelocity.row().key;
+    let all = scene.nominal();
+    all.filter(move |given| !(is_typed && given.key == start))
+}
+
+/// A number of a scene, nearly.
+fn near(x: &Exact) -> Option<f64> {
+    let known = enclosure(&Interval::point(x.clone()))?;
+    Some(nearest_f64(&known.middle()))
+}
+
 impl Simulation {
-    /// The report on a simulation of a scene with this name, with how many seconds it took where that
-    /// is asked for.
+    /// The report on a simulation of a scene, with how many seconds it took where that is asked for.
     ///
     /// # Errors
     ///
     /// A figure without a finite value.
     pub fn new(
-        scene: &str,
+        scene: &Scene,
         plan: &Plan,
         method: &Method,
         run: &Simulated,
@@ -147,11 +173,16 @@ impl Simulation {
     ) -> Result<Self, SimError> {
         let (end, totals) = (&run.end, &run.totals);
         let finite = |x, figure| finite(x, figure, end.intervals);
+        let nominal: BTreeMap<_, _> = taken(scene, plan)
+            .filter_map(|given| Some((given.key, near(&given.nominal)?)))
+            .collect();
         Ok(Self {
-            scene: scene.to_owned(),
+            scene: scene.name.clone(),
             method: method.name(),
             method_parameter: method.to_string(),
             effects: plan.effects().iter().map(|effect| effect.name()).collect(),
+            nominal: nominal.keys().copied().collect(),
+            nominal_values: nominal,
             plan: plan.describe(),
             intervals: end.intervals,
             last: State::new(run)?,

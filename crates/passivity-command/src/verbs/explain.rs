@@ -117,7 +117,11 @@ fn with_plan(mut text: String, plan: &[String]) -> String {
 #[cfg(feature = "simulate")]
 fn plan(scene: &passivity_scene::Scene) -> Vec<String> {
     match passivity_sim::Plan::compile(&scene.point()) {
-        Ok(plan) => plan.describe(),
+        Ok(plan) => {
+            let nominal = scene.nominal();
+            let nominal = nominal.map(|given| format!("at {} {}", given.key, given.nominal_text()));
+            plan.describe().into_iter().chain(nominal).collect()
+        }
         Err(error) => vec![format!("none: {error}")],
     }
 }

@@ -148,7 +148,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let seconds = begin.elapsed().as_secs_f64();
     watcher.finish(args, &scene, point.intervals, &run)?;
     let timed = (args.timing || args.format == Format::Text).then_some(seconds);
-    let report = Simulation::new(&scene.name, &plan, &method, &run, timed).map_err(of_scene)?;
+    let report = Simulation::new(&scene, &plan, &method, &run, timed).map_err(of_scene)?;
     match args.format {
         Format::Text => emit(&text(&report, &plan, &run, beyond, &scene))?,
         Format::Json => emit_json(&report)?,

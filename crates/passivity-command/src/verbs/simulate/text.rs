@@ -2,7 +2,7 @@
 
 use passivity_scene::display::{Rounding, outward, significant};
 use passivity_scene::{Point, Scene};
-use passivity_sim::report::Simulation;
+use passivity_sim::report::{Simulation, taken};
 use passivity_sim::scales::{Scale, Scales};
 use passivity_sim::{Beyond, Detail, ExactOutcome, Method, Plan, Simulated};
 
@@ -69,8 +69,18 @@ pub(super) fn text(
             if end.intervals == 1 { "" } else { "s" },
         ),
         format!("  effects     {}", effects.join(", ")),
-        format!("  end         {}", state(end.xi, end.velocity, &scales)),
     ]);
+    let nominal = taken(scene, plan).map(|given| format!("{} {}", given.key, given.nominal_text()));
+    let starts = std::iter::once("  nominal     ").chain(std::iter::repeat(INDENT));
+    lines.extend(
+        starts
+            .zip(nominal)
+            .map(|(start, line)| format!("{start}{line}")),
+    );
+    lines.extend([format!(
+        "  end         {}",
+        state(end.xi, end.velocity, &scales)
+    )]);
     lines.extend(detail(&run.detail));
     let energies = |unit: f64, name: &str| {
         let [linear, quantized, dissipated] = [
