@@ -81,6 +81,32 @@ impl Drop for Dir {
     }
 }
 
+/// The words of a picture that run over its left or right edge, by letters of 0.6 of their size: of the font of the PNG
+/// files, few are wider.
+pub(crate) fn words_off(svg: &str) -> Vec<&str> {
+    let number = |text: &str, name: &str| -> f64 {
+        let (_, rest) = text.split_once(&format!(" {name}=\"")).expect(name);
+        let (figure, _) = rest.split_once('"').expect(name);
+        figure.parse().expect(figure)
+    };
+    let wide = number(svg, "width");
+    let texts = svg.lines().filter(|line| line.starts_with("<text x="));
+    let all = texts.filter_map(|line| {
+        let (_, rest) = line.split_once('>')?;
+        let (words, _) = rest.split_once('<')?;
+        let letters = u32::try_from(words.chars().count()).ok()?;
+        let long = 0.6 * number(line, "font-size") * f64::from(letters);
+        let place = number(line, "x");
+        let start = match line {
+            _ if line.contains("\"middle\"") => place - 0.5 * long,
+            _ if line.contains("\"end\"") => place - long,
+            _ => place,
+        };
+        (start < 0.0 || start + long > wide).then_some(words)
+    });
+    all.collect()
+}
+
 /// What a run gave.
 pub(crate) struct Run {
     pub(crate) code: i32,

@@ -3,7 +3,7 @@
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::harness::Dir;
+use crate::harness::{Dir, words_off};
 
 fn scene(dir: &Dir, intervals: u32) -> String {
     let scene = format!(
@@ -287,8 +287,8 @@ fn any_parameters_of_the_scene_can_be_varied() {
         "virtual damping B (N s/m)",
         "rate = 0.5 kHz",
         "comes to rest",
-        "border of the criterion: at every speed",
-        "up to operator.max_speed",
+        "border: passive at every speed",
+        "border: passive up to operator.max_speed",
         "a cell stands for one point of the grid",
     ] {
         assert!(svg.contains(word), "{word}");
@@ -438,4 +438,23 @@ fn shards_are_merged_into_the_file_of_one_run() {
         let run = sweep(&["--shard", wrong, "--out", "x.csv"]);
         assert_eq!(run.code, 2, "{wrong}");
     }
+}
+
+#[test]
+fn a_picture_of_one_map_has_room_for_what_its_lines_mean() {
+    let dir = Dir::new();
+    let arm = dir.write("arm.toml", ARM);
+    let vary = ["stiffness=500:3500:4 N/m", "rate=1/2,1 kHz"];
+    let args = [
+        "sweep", &arm, "--vary", vary[0], "--vary", vary[1], "--plot", "grid.svg",
+    ];
+    let run = dir.run(&[&args[..], &["--out", "grid.csv"]].concat());
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let svg = std::fs::read_to_string(dir.path("grid.svg")).expect("a picture");
+    assert!(svg.contains("border: passive at every speed"), "{svg}");
+    assert!(
+        svg.contains("border: passive up to operator.max_speed"),
+        "{svg}"
+    );
+    assert_eq!(words_off(&svg), [""; 0]);
 }

@@ -147,13 +147,10 @@ fn key(svg: &mut Svg, top: f64, rows: &[Option<Row>], borders: &Borders) {
     let has =
         |of: fn(&[Vec<Line>; 2]) -> &Vec<Line>| borders.iter().any(|pair| !of(pair).is_empty());
     let kinds = [
-        (
-            has(|[every, _]| every),
-            "border of the criterion: at every speed",
-        ),
+        (has(|[every, _]| every), "border: passive at every speed"),
         (
             has(|[_, bound]| bound),
-            "border of the criterion: up to operator.max_speed",
+            "border: passive up to operator.max_speed",
         ),
     ];
     let mut at = 60.0;
