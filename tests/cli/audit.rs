@@ -7,7 +7,7 @@ use num_traits::Zero as _;
 use passivity_core::BigRational;
 use serde_json::Value;
 
-use crate::harness::{Dir, Run, rational};
+use crate::harness::{Dir, Run, rational, words_off};
 
 pub(crate) const PLAIN: &str = "[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"\n";
 
@@ -414,4 +414,21 @@ fn a_log_that_is_not_accounted_for_has_no_figures_of_a_force() {
         .run(&[&audit[..], &["--format", "json"]].concat())
         .json();
     assert_eq!(said["totals"]["violates_linear"], Value::Null);
+}
+
+/// That an account ends at an error is what its picture must not lose.
+#[test]
+fn the_title_of_a_picture_with_long_names_says_where_the_error_is() {
+    let dir = Dir::new();
+    let scene = "[dimensionless]\nmu = \"50\"\nbeta = \"3/5\"\nsigma = \"3/5\"\n";
+    let scene = dir.write(&format!("{}.toml", "s".repeat(90)), scene);
+    let trace = dir.write(&format!("{}.csv", "t".repeat(90)), "xi\n1\n2\nthree\n");
+    let run = dir.run(&["audit", &trace, "--scene", &scene, "--plot", "energy.svg"]);
+    assert_eq!(run.code, 2, "{}", run.stderr);
+    let svg = fs::read_to_string(dir.path("energy.svg")).expect("a picture");
+    assert!(
+        svg.contains(">ttt") && svg.contains("sss, up to the error in row 3<"),
+        "{svg}"
+    );
+    assert_eq!(words_off(&svg), [""; 0]);
 }

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::harness::{Dir, ratio, rational};
+use crate::harness::{Dir, ratio, rational, words_off};
 
 /// A scene that comes to rest, without viscous friction so that every method can do it.
 pub(crate) fn gliding(dir: &Dir) -> String {
@@ -498,4 +498,26 @@ fn what_was_taken_at_a_nominal_value_is_said() {
         scene("1e-3 N m s/rad", "60 rad/s").replace("0.8 … 1", "1"),
     );
     assert!(!dir.run(&["simulate", &name]).stdout.contains("nominal"));
+}
+
+#[test]
+fn a_long_title_fits_and_ends_with_the_outcome() {
+    let dir = Dir::new();
+    let scene = std::fs::read_to_string(dir.path(&gliding(&dir))).expect("a scene");
+    let name = format!("{}.toml", "long ".repeat(40).trim_end());
+    let name = dir.write(&name, scene);
+    for (args, end) in [
+        (&["simulate"][..], "long: at rest"),
+        (&["accuracy"], "long: error and time, "),
+    ] {
+        let run = dir.run(&[args, &[&name, "--plot", "picture.svg"]].concat());
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        let svg = std::fs::read_to_string(dir.path("picture.svg")).expect("a picture");
+        assert!(svg.contains("long long ") && svg.contains('…'), "{svg}");
+        assert!(svg.contains(end), "{svg}");
+        assert!(
+            words_off(&svg).iter().all(|words| !words.contains("long")),
+            "{svg}"
+        );
+    }
 }

@@ -29,7 +29,7 @@ impl Identified {
     /// [`PlotError`] where there is nothing that can be drawn.
     pub fn picture(&self, title: &str) -> Result<String, PlotError> {
         let mut svg = Svg::new(SIZE);
-        svg.text([0.5 * SIZE[0], 26.0], 18.0, Anchor::Middle, title);
+        svg.title(26.0, 18.0, title);
         self.draw_motion(&mut svg)?;
         self.draw_residuals(&mut svg)?;
         self.draw_set(&mut svg)?;

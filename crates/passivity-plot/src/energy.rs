@@ -4,7 +4,7 @@ use passivity_scene::plane::Extent;
 
 use crate::file::PlotError;
 use crate::frame::{Frame, key};
-use crate::svg::{Anchor, COLOURS, LIGHT, Stroke, Svg};
+use crate::svg::{COLOURS, LIGHT, Stroke, Svg};
 
 /// A point of the course.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,7 +64,7 @@ pub fn draw(title: &str, unit: &str, course: &[Point]) -> Result<String, PlotErr
         to: [868.0, 456.0],
     };
     let mut svg = Svg::new([900.0, 520.0]);
-    svg.text([450.0, 30.0], 20.0, Anchor::Middle, title);
+    svg.title(30.0, 20.0, title);
     let zero = [frame.x.from, frame.x.to].map(|x| frame.clamped([x, 0.0]));
     svg.line(&zero, Stroke::solid(LIGHT, 1.0));
     type Value = fn(&Point) -> f64;

@@ -65,7 +65,7 @@ pub fn draw(scene: &Scene, report: &Report) -> Result<String, PlotError> {
         report.scene
     );
     let middle = 0.5 * SIZE[0];
-    svg.text([middle, 28.0], 18.0, Anchor::Middle, &title);
+    svg.title(28.0, 18.0, &title);
     svg.text([middle, 50.0], 13.0, Anchor::Middle, SCOPE);
     let [loop_line, beta_line] = [COLOURS[0], COLOURS[1]].map(|colour| Stroke::solid(colour, 2.0));
     let given = format!("β = {}", passivity_scene::display::range(&report.beta));

@@ -16,7 +16,9 @@ pub mod plane;
 mod png;
 pub mod svg;
 mod ticks;
+mod title;
 
 pub use file::{PlotError, check_name, save};
 #[cfg(feature = "png")]
 pub use png::to_png;
+pub use title::fitted;

@@ -2,6 +2,8 @@
 
 use std::fmt::{Display, Write as _};
 
+use crate::title::fitted;
+
 /// Okabe and Ito's palette: told apart by colour-blind readers too.
 pub const COLOURS: [&str; 7] = [
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#8c6400", "#5a5a5a",
@@ -137,6 +139,15 @@ impl Svg {
     /// Words of a size in pixels, their base line at a place with nothing below them.
     pub fn text(&mut self, place: Pixel, size: f64, anchor: Anchor, words: &str) {
         self.words(place, size, anchor, words, &format!("fill=\"{BLACK}\""));
+    }
+
+    /// A title over the whole width, its base line at a height: in smaller letters, or without its middle, where it is long.
+    pub fn title(&mut self, y: f64, size: f64, title: &str) {
+        /// What stays free on either side.
+        const MARGIN: f64 = 16.0;
+        let [wide, _] = self.size;
+        let (title, size) = fitted(title, wide - 2.0 * MARGIN, size);
+        self.text([0.5 * wide, y], size, Anchor::Middle, &title);
     }
 
     /// Words in a colour over what is drawn: a white rim keeps them readable. It is a text of its own below them, as

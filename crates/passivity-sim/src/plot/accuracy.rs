@@ -1,10 +1,13 @@
 //! Work and precision: the error of each method against its time per interval, log–log.
 
-use passivity_plot::PlotError;
+use passivity_plot::{PlotError, fitted};
 use plotters::prelude::*;
 
 use crate::accuracy::{Measured, Table};
 use crate::plot::{Area, COLOURS, Drawn, svg};
+
+/// The picture in pixels.
+const SIZE: (u32, u32) = (1000, 640);
 
 /// Errors below this are drawn on it, for a double has no more digits; without an error there is nothing to draw.
 const FLOOR: f64 = 1e-17;
@@ -15,17 +18,18 @@ const FLOOR: f64 = 1e-17;
 ///
 /// A table that cannot be drawn.
 pub fn draw(title: &str, table: &Table) -> Result<String, PlotError> {
-    svg((1000, 640), "accuracy", |root| chart(root, title, table))
+    svg(SIZE, "accuracy", |root| chart(root, title, table))
 }
 
 fn chart(root: &Area<'_>, title: &str, table: &Table) -> Drawn {
+    let (title, size) = fitted(title, f64::from(SIZE.0) - 32.0, 18.0);
     let times = table.rows.iter().map(|row| row.nanoseconds.max(0.1));
     let least = times.clone().fold(f64::INFINITY, f64::min).min(10.0);
     let most = times.fold(0.0, f64::max).max(1e3);
     let error = |row: &Measured| row.position.max(row.energy).clamp(FLOOR, 100.0);
     let mut chart = ChartBuilder::on(root)
         .margin(14)
-        .caption(title, ("sans-serif", 18))
+        .caption(title, ("sans-serif", size))
         .x_label_area_size(46)
         .y_label_area_size(76)
         .build_cartesian_2d(

@@ -38,7 +38,7 @@ pub fn draw(title: &str, mut motion: Motion, scales: &Scales) -> String {
     motion.settle();
     let height = TOP + 4.0 * HIGH + 3.0 * GAP + 64.0;
     let mut svg = Svg::new([WIDTH, height]);
-    svg.text([0.5 * WIDTH, 28.0], 18.0, Anchor::Middle, title);
+    svg.title(28.0, 18.0, title);
     let curve = curve(&motion);
     let first = curve.first().map_or(0.0, |sample| sample.time);
     let last = motion.end.time.max(first + 1.0);

@@ -30,7 +30,7 @@ pub fn draw(grid: &Grid, rows: &[Option<Row>], borders: Borders) -> String {
     let high = TOP + HIGH + 76.0 + 24.0 * lines_of_key(&speeds) + 40.0;
     let mut svg = Svg::new([WIDE, high]);
     let title = "Outcome in the (β, σ) plane; dashed: critical lines, with the speed at the start";
-    svg.text([0.5 * WIDE, 28.0], 18.0, Anchor::Middle, title);
+    svg.title(28.0, 18.0, title);
     let drawing = Drawing {
         grid,
         rows,

@@ -57,7 +57,7 @@ pub fn draw(title: &str, grid: &Grid, rows: &[Option<Row>], borders: &Borders) -
     let number = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
     let width = (number(across) * wide + 40.0).max(760.0);
     let mut svg = Svg::new([width, 60.0 + number(down) * high + 90.0]);
-    svg.text([0.5 * width, 28.0], 18.0, Anchor::Middle, title);
+    svg.title(28.0, 18.0, title);
     for (place, third) in maps.iter().enumerate() {
         let left = 90.0 + number(place % across) * wide;
         let top = 76.0 + number(place / across) * high;
