@@ -391,3 +391,32 @@ fn a_scene_with_tolerances_stands_at_their_hardest_end() {
         "{svg}"
     );
 }
+
+#[test]
+fn nine_critical_lines_are_told_apart() {
+    let dir = Dir::new();
+    let names: Vec<String> = (1..=9)
+        .map(|i| {
+            let scene = format!(
+                "[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"\n[operator]\nmax_speed = \"{i}\"\n"
+            );
+            dir.write(&format!("s{i}.toml"), scene)
+        })
+        .collect();
+    let mut args = vec!["plane", "--plot", "plane.svg"];
+    args.extend(names.iter().map(String::as_str));
+    let run = dir.run(&args);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let svg = std::fs::read_to_string(dir.path("plane.svg")).expect("a picture");
+    // Each line is in the plane and in the key, all in colours or dashes of their own.
+    let lines = svg
+        .lines()
+        .filter(|line| line.contains("stroke-width=\"2\" stroke-linejoin"));
+    let mut looks: Vec<&str> = lines
+        .filter_map(|line| line.split(" points=").next())
+        .collect();
+    assert_eq!(looks.len(), 18, "{looks:?}");
+    looks.sort_unstable();
+    looks.dedup();
+    assert_eq!(looks.len(), 9, "{looks:?}");
+}

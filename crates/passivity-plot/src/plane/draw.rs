@@ -7,7 +7,7 @@ use crate::PlotError;
 use crate::frame::Frame;
 use crate::labels::Labels;
 use crate::parameters::{colour, list, scenes};
-use crate::svg::{Anchor, BLACK, DARK, Pixel, Stroke, Svg, rectangle};
+use crate::svg::{Anchor, BLACK, COLOURS, DARK, Pixel, Stroke, Svg, rectangle};
 
 /// The regions: globally and locally stable, limit cycles, unstable.
 pub(super) const REGIONS: [(&str, &str); 4] = [
@@ -70,7 +70,7 @@ pub fn draw_on_axes(marks: &[Mark], log: [Option<bool>; 2]) -> Result<String, Pl
     }
     let mut labels = Labels::new(&frame);
     for (number, mark) in marks.iter().enumerate() {
-        critical_line(&mut svg, &frame, &mut labels, mark, colour(number));
+        critical_line(&mut svg, &frame, &mut labels, mark, line_of(number));
     }
     let less = if marks.iter().any(|mark| mark.has_costs) {
         ", less what further effects cost"
@@ -205,8 +205,24 @@ fn ways(svg: &mut Svg, frame: &Frame, mark: &Mark, colour: &str) {
     }
 }
 
+/// The critical line of the scene with a number, counted from 0: dashed where its colour is that of another one before it.
+pub(super) fn line_of(number: usize) -> Stroke<'static> {
+    const DASHES: [&str; 4] = ["", "12 4", "2 3", "12 3 2 3"];
+    let dash = DASHES.get(number / COLOURS.len() % DASHES.len());
+    Stroke {
+        dash: dash.copied().unwrap_or_default(),
+        ..Stroke::solid(colour(number), 2.0)
+    }
+}
+
 /// The line (β − ½)v + (σ − ½) = 0 (9) of a mark's speed bound; straight on linear axes alone.
-fn critical_line(svg: &mut Svg, frame: &Frame, labels: &mut Labels, mark: &Mark, colour: &str) {
+fn critical_line(
+    svg: &mut Svg,
+    frame: &Frame,
+    labels: &mut Labels,
+    mark: &Mark,
+    stroke: Stroke<'_>,
+) {
     const STEPS: u32 = 400;
     let Some((speed, _)) = &mark.speed else {
         return;
@@ -226,7 +242,7 @@ fn critical_line(svg: &mut Svg, frame: &Frame, labels: &mut Labels, mark: &Mark,
         .collect();
     way.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let way: Vec<Pixel> = way.into_iter().map(|at| frame.pixel(at)).collect();
-    svg.line(&way, Stroke::solid(colour, 2.0));
+    svg.line(&way, stroke);
     labels.take_line(&way);
 }
 

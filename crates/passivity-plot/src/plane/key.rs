@@ -3,7 +3,7 @@
 use passivity_scene::check::Verdict;
 use passivity_scene::display::significant;
 
-use super::draw::REGIONS;
+use super::draw::{REGIONS, line_of};
 use super::{Mark, Tolerances};
 use crate::parameters::{colour, scene};
 use crate::svg::{Anchor, DARK, Pixel, Stroke, Svg, rectangle};
@@ -96,10 +96,7 @@ pub(super) fn draw(svg: &mut Svg, marks: &[Mark], [x, top]: Pixel) -> f64 {
             y += 16.0;
         }
         if let Some((_, name)) = &mark.speed {
-            svg.line(
-                &[[x, y + 7.0], [x + 24.0, y + 7.0]],
-                Stroke::solid(colour(number), 2.0),
-            );
+            svg.line(&[[x, y + 7.0], [x + 24.0, y + 7.0]], line_of(number));
             words(svg, y, 12.0, &format!("critical line at {name}"));
             y += 16.0;
         }
