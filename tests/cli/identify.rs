@@ -415,6 +415,17 @@ fn a_picture_is_drawn() {
     ] {
         assert!(picture.contains(words), "{words}");
     }
+    // The devices with the least and the most friction start together, where the measured one did.
+    let dashed = picture
+        .lines()
+        .filter(|line| line.contains("stroke-width=\"1\"") && line.contains("\"7 4\""));
+    let starts = dashed.filter_map(|line| line.split("points=\"").nth(1)?.split(' ').next());
+    let first = picture.split("<circle cx=\"").nth(1).expect("a sample");
+    let mut numbers = first.split('"');
+    let (x, y) = (numbers.next().expect("x"), numbers.nth(1).expect("y"));
+    let starts: Vec<&str> = starts.take(2).collect();
+    let first = format!("{x},{y}");
+    assert_eq!(starts, [first.as_str(); 2]);
 }
 
 /// A case refuses such, after the scene was written.

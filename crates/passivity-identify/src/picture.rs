@@ -87,20 +87,22 @@ impl Identified {
                     Stroke::solid(LIGHT, 0.5),
                 );
             }
-            let mut curve = |at: [f64; 3], stroke: Stroke<'_>| {
-                let ways = simulated(log, at, &mut Propagators::default());
-                let offset = mean(measured.iter().zip(&ways).map(|(x, y)| x - y));
-                let places = times.iter().zip(&ways).step_by(every);
-                let places: Vec<Pixel> = places
-                    .map(|(time, way)| frame.clamped([*time, way + offset]))
-                    .collect();
-                svg.line(&places, stroke);
+            let way = |at: [f64; 3]| simulated(log, at, &mut Propagators::default());
+            let mut curve = |ways: &[f64], offset: f64, stroke: Stroke<'_>| {
+                let places = times.iter().zip(ways).step_by(every);
+                let places = places.map(|(time, way)| [*time, way + offset]);
+                let seen = places.take_while(|place| frame.contains(*place));
+                let seen: Vec<Pixel> = seen.map(|place| frame.pixel(place)).collect();
+                svg.line(&seen, stroke);
             };
+            // The device of either corner starts where the measured one did; the best estimate where it fits best.
             for at in corners.iter().flatten() {
-                curve(*at, Stroke::dashed(DARK, 1.0));
+                curve(&way(*at), 0.0, Stroke::dashed(DARK, 1.0));
             }
             if let Some(best) = self.best {
-                curve(best, Stroke::solid(colour, 1.6));
+                let ways = way(best);
+                let offset = mean(measured.iter().zip(&ways).map(|(x, y)| x - y));
+                curve(&ways, offset, Stroke::solid(colour, 1.6));
             }
         }
         if let Some(refuted) = &self.refuted_by {
@@ -116,7 +118,7 @@ impl Identified {
         );
         let words = match self.best {
             Some(_) => {
-                "grey: measured; line: best estimate; dashed: least and most friction of the box"
+                "grey: measured; line: best estimate, moved to fit; dashed: least and most friction of the box"
             }
             None => "grey: measured",
         };
