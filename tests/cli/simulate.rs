@@ -500,6 +500,27 @@ fn what_was_taken_at_a_nominal_value_is_said() {
     assert!(!dir.run(&["simulate", &name]).stdout.contains("nominal"));
 }
 
+/// Without an encoder KΔ is the force of a wall that is pushed in by a metre, 7000 N here: a force that is never there is
+/// drawn about one newton either side.
+#[test]
+fn a_force_of_zero_has_an_axis_of_the_scenes_own_unit() {
+    let dir = Dir::new();
+    let scene = "[device]\nmass = \"75 g\"\ncoulomb = \"0.04 N\"\n[sampling]\nrate = \"1 kHz\"\n[wall]\n\
+                 stiffness = \"7 N/mm\"\nunilateral = true\n[start]\nposition = \"-5 mm\"\nvelocity = \"-40 mm/s\"\n";
+    let name = dir.write("away.toml", scene);
+    let run = dir.run(&[
+        "simulate",
+        &name,
+        "--intervals",
+        "20",
+        "--plot",
+        "motion.svg",
+    ]);
+    assert!(run.code < 2, "{}", run.stderr);
+    let svg = std::fs::read_to_string(dir.path("motion.svg")).expect("a picture");
+    assert!(svg.contains(">0.5<") && !svg.contains(">5000<"), "{svg}");
+}
+
 #[test]
 fn a_long_title_fits_and_ends_with_the_outcome() {
     let dir = Dir::new();

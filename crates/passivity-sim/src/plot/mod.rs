@@ -56,8 +56,11 @@ pub(crate) fn label(x: f64, range: &std::ops::Range<f64>) -> String {
     exponent.map_or_else(|| digits.to_owned(), |e| format!("{digits}e{e}"))
 }
 
-/// A range with some air around it, never empty.
-pub(crate) fn padded(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
+/// A range with some air around it, never empty: around a single value so much as `about` says.
+pub(crate) fn padded(
+    values: impl Iterator<Item = f64>,
+    about: impl Fn(f64) -> f64,
+) -> std::ops::Range<f64> {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for x in values.filter(|x| x.is_finite()) {
         low = low.min(x);
@@ -67,7 +70,8 @@ pub(crate) fn padded(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> 
         return -1.0..1.0;
     }
     if low == high {
-        return low - 1.0..high + 1.0;
+        let air = about(low);
+        return low - air..high + air;
     }
     let air = (0.06 * (high - low))
         .max(1e-6 * high.abs().max(low.abs()))

@@ -115,6 +115,16 @@ fn extent(range: &Range<f64>) -> Extent {
 }
 
 impl Chart<'_> {
+    /// What an axis shows of dimensionless values. Around a single one it is a tick, or the KΔ of one: without an encoder
+    /// these are 1 m or 1 rad wide, and it is as far as to zero, or one unit of the scene about zero.
+    fn values(&self, values: impl Iterator<Item = f64>, scale: &Scale) -> Range<f64> {
+        padded(values, |single| match self.drawing.scales.ticks {
+            true => 1.0,
+            false if single == 0.0 => 1.0 / scale.one,
+            false => single.abs(),
+        })
+    }
+
     /// The frame of the next chart, of dimensionless values.
     fn frame(&mut self, values: &Range<f64>, scale: &Scale) -> Frame {
         let top = TOP + self.row * (HIGH + GAP);
@@ -156,7 +166,7 @@ impl Chart<'_> {
 
     fn position(&mut self, curve: &[Sample]) {
         let scale = self.drawing.scales.position.clone();
-        let values = padded(curve.iter().map(|s| s.xi));
+        let values = self.values(curve.iter().map(|s| s.xi), &scale);
         let frame = self.frame(&values, &scale);
         let edges = if self.drawing.scales.ticks {
             encoder_edges(&values)
@@ -175,7 +185,7 @@ impl Chart<'_> {
 
     fn velocity(&mut self, curve: &[Sample]) {
         let scale = self.drawing.scales.velocity.clone();
-        let values = padded(curve.iter().map(|s| s.velocity));
+        let values = self.values(curve.iter().map(|s| s.velocity), &scale);
         let frame = self.frame(&values, &scale);
         self.zero(&frame);
         let line = self.pixels(&frame, curve, &scale, |s| s.velocity);
@@ -187,7 +197,8 @@ impl Chart<'_> {
     fn force(&mut self) {
         let scale = self.drawing.scales.force.clone();
         let samples = &self.drawing.motion.samples;
-        let values = padded(samples.iter().map(|s| s.acting.held).chain([0.0]));
+        let values = samples.iter().map(|s| s.acting.held).chain([0.0]);
+        let values = self.values(values, &scale);
         let frame = self.frame(&values, &scale);
         self.zero(&frame);
         let Motion { follower, end, .. } = self.drawing.motion;
@@ -231,7 +242,7 @@ impl Chart<'_> {
         } else {
             scales.energy.clone()
         };
-        let mut values = padded(all());
+        let mut values = self.values(all(), &scale);
         // Room for what the bars are.
         values.end += 0.25 * (values.end - values.start);
         let frame = self.frame(&values, &scale);
