@@ -392,6 +392,28 @@ fn a_scene_with_tolerances_stands_at_their_hardest_end() {
     );
 }
 
+/// In a plane of parameters too: at 0.036 N of 0 … 0.1 N and without viscous friction, on the lower edge.
+#[test]
+fn a_scene_with_tolerances_stands_at_their_hardest_end_on_any_axes() {
+    let dir = Dir::new();
+    let arm = format!("{}/../../scenes/desk/arm.toml", env!("CARGO_MANIFEST_DIR"));
+    let args = [
+        "plane",
+        &arm,
+        "--axes",
+        "coulomb,viscous",
+        "--x",
+        "0:0.1",
+        "--y",
+        "0:0.2",
+    ];
+    let run = dir.run(&[&args[..], &["--log", "none", "--plot", "plane.svg"]].concat());
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let svg = std::fs::read_to_string(dir.path("plane.svg")).expect("a picture");
+    // 96 and 0.36 of the 604 pixels of the frame.
+    assert!(svg.contains("<circle cx=\"313.44\" cy=\"560.00\""), "{svg}");
+}
+
 #[test]
 fn nine_critical_lines_are_told_apart() {
     let dir = Dir::new();

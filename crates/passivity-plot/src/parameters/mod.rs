@@ -33,6 +33,8 @@ pub struct Mark {
     pub name: String,
     /// Its numbers on the axes over the tolerances; `None` where it has no place on an axis.
     pub ranges: Option<[Interval<BigRational>; 2]>,
+    /// Those of the device at the hardest end of the tolerances, which decides the verdict.
+    pub at: Option<[f64; 2]>,
     /// What the key says of its numbers, with units.
     pub place: [String; 2],
     /// The verdict.
@@ -142,22 +144,16 @@ pub(crate) fn colour(number: usize) -> &'static str {
         .unwrap_or(BLACK)
 }
 
-/// Where a scene is drawn: in the middle of its tolerances, at the edge where it is outside.
+/// Where a scene is drawn: at the hardest end of its tolerances, at the edge where that is outside.
 fn place_of(frame: &Frame, mark: &Mark) -> Option<Pixel> {
-    let middle = mark
-        .ranges
-        .as_ref()?
-        .each_ref()
-        .map(|range| nearest_f64(&range.middle()));
-    Some(frame.clamped(middle))
+    Some(frame.clamped(mark.at?))
 }
 
 /// Whether a scene is drawn at the edge because it is outside the picture.
 fn is_outside(window: &[Extent; 2], mark: &Mark) -> bool {
-    let shares = mark.ranges.as_ref().map(|ranges| {
-        let middle = ranges.each_ref().map(|range| nearest_f64(&range.middle()));
-        [window[0].share(middle[0]), window[1].share(middle[1])]
-    });
+    let shares = mark
+        .at
+        .map(|[x, y]| [window[0].share(x), window[1].share(y)]);
     shares.is_some_and(|shares| {
         shares
             .iter()

@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
+use passivity_core::verdict::End;
 use passivity_core::{BigRational, Interval};
 use passivity_plot::parameters::{Group, Mark, Picture, Point, draw};
 use passivity_scene::check::{Report, check};
+use passivity_scene::number::nearest_f64;
 use passivity_scene::plane::{
     Extent, Measured, Plane, PlaneError, Prediction, Region, Speeds, Window, window,
 };
@@ -260,11 +262,15 @@ fn picture(
     let groups: Vec<Group> = families.iter().map(group).collect();
     let mark = |(scene, report): (&Scene, &Report)| {
         let [x, y] = axes.each_ref().map(|axis| axis.of_scene(scene));
+        let hardest = scene.at(End::Hardest);
+        let at = |axis: &Axis| Some(nearest_f64(&axis.of_scene(&hardest)?.middle()));
+        let [hardest_x, hardest_y] = axes.each_ref().map(at);
         Mark {
             name: scene.name.clone(),
             place: [(&axes[0], &x), (&axes[1], &y)]
                 .map(|(axis, range)| place(axis, range.as_ref())),
             ranges: x.zip(y).map(|(x, y)| [x, y]),
+            at: hardest_x.zip(hardest_y).map(|(x, y)| [x, y]),
             verdict: report.verdict,
         }
     };
