@@ -29,6 +29,7 @@ mod schema;
 mod several;
 mod sides;
 mod simulate;
+mod simulated;
 mod sweep;
 mod sweep_files;
 mod usage;

@@ -42,8 +42,7 @@ impl Criterion {
         }
     }
 
-    /// The criterion in numbers: at the hardest end of the tolerances, and at the easiest where
-    /// they differ.
+    /// The criterion in numbers, over the tolerances with the least and with the most that each coefficient may be.
     #[must_use]
     pub fn sentence(&self) -> String {
         let (viscous_unit, coulomb_unit) = self.units();
@@ -58,11 +57,13 @@ impl Criterion {
         if self.viscous.is_point() && self.coulomb.is_point() {
             return format!("In numbers: {}.", at(Interval::lo));
         }
-        let (hardest, easiest) = (at(Interval::lo), at(Interval::hi));
-        if hardest == easiest {
-            return format!("In numbers: {hardest}.");
+        let (least, most) = (at(Interval::lo), at(Interval::hi));
+        if least == most {
+            return format!("In numbers: {least}.");
         }
-        format!("At the hardest end of the tolerances: {hardest}; at the easiest: {easiest}.")
+        format!(
+            "Over the tolerances, each coefficient for itself: at the least {least}; at the most {most}."
+        )
     }
 }
 
@@ -80,7 +81,8 @@ mod tests {
         assert_eq!(scene("3/5"), "In numbers: (0.1)·v + (0.1) ≥ 0.");
         assert_eq!(
             scene("0.6 ± 0.05"),
-            "At the hardest end of the tolerances: (0.05)·v + (0.1) ≥ 0; at the easiest: (0.15)·v + (0.1) ≥ 0."
+            "Over the tolerances, each coefficient for itself: at the least (0.05)·v + (0.1) ≥ 0; \
+             at the most (0.15)·v + (0.1) ≥ 0."
         );
     }
 }

@@ -2,7 +2,6 @@
 //! costs.
 
 use passivity_core::BigRational;
-use passivity_core::verdict::End;
 use passivity_plot::plane::{self, Mark};
 use passivity_scene::Point;
 use passivity_scene::display::{range, significant};
@@ -43,8 +42,7 @@ pub fn of_plane(study: &Study) -> Vec<Block> {
     );
     let mut place = String::new();
     if has_tolerance {
-        place += "The disc and the arrows are at the hardest end of the tolerances, which decides the \
-                  verdict; the rectangle holds every value within them, as far as the picture goes. ";
+        place += "The disc and the arrows are at the hardest of the ends of the tolerances; the rectangle holds every value within them, as far as the picture goes. ";
     }
     if has_costs {
         place += "It is drawn at β and σ less what its effects cost beyond the two halves of \
@@ -69,7 +67,7 @@ pub fn of_plane(study: &Study) -> Vec<Block> {
 /// The motion to show: where it starts, in which words; `None` for a scene with neither a start nor
 /// a bound on the speed.
 fn to_simulate(study: &Study) -> Option<(Point, String)> {
-    let scene = study.scene.at(End::Hardest);
+    let scene = study.scene.hardest();
     let mut point = scene.point();
     let mut from = if scene.has_start() {
         "from the start in the scene".to_owned()
@@ -83,7 +81,9 @@ fn to_simulate(study: &Study) -> Option<(Point, String)> {
         )
     };
     if study.scene.has_ends() {
-        from.push_str(", at the end of the tolerances at which the criterion is hardest to meet");
+        from.push_str(
+            ", at that of the ends of the tolerances at which the criterion is hardest to meet",
+        );
     }
     Some((point, from))
 }
@@ -121,7 +121,7 @@ pub fn of_motion(study: &Study) -> Vec<Block> {
         ExactOutcome::NeverAtRest => "never comes to rest".to_owned(),
         ExactOutcome::Undecided => format!("is undecided after {} intervals", end.intervals),
     };
-    let scales = Scales::of(&study.scene.at(End::Hardest));
+    let scales = Scales::of(&study.scene.hardest());
     let energy = |x: f64| match scales.ticks {
         true => format!("{} KΔ²", significant(x)),
         false => format!(
@@ -194,7 +194,7 @@ mod tests {
                     [sampling]\nperiod = \"2 s ± 1\"\n[encoder]\nresolution = \"1 m ± 0.5\"\n\
                     [wall]\nstiffness = \"5 N/m ± 2\"\n[operator]\nmax_speed = \"6 m/s ± 1\"\n";
         let scene = Scene::from_toml("s", text).unwrap();
-        let hardest = scene.at(End::Hardest);
+        let hardest = scene.hardest();
         let value = |parameter| {
             let given = hardest.given.get(parameter).unwrap();
             given.nominal.to_rational().unwrap().to_string()
@@ -213,5 +213,21 @@ mod tests {
         // 7 m/s over 3 s and 1.5 m: 14 ticks in a sampling period.
         let (point, _) = to_simulate(&study).unwrap();
         assert_eq!(point.start()[1].to_string(), "14");
+    }
+
+    /// Behind a delay, damping makes viscous friction cheaper, ½ + 1 − B as far as ¼, and a long period makes it dearer.
+    #[test]
+    fn the_hardest_end_of_damping_behind_a_delay_is_the_least_damping() {
+        let text = |viscous: &str| {
+            format!(
+                "[device]\nviscous = \"{viscous}\"\ncoulomb = \"50 N\"\n[sampling]\nperiod = \"1 s\"\ndelay = 1\n\
+                 [encoder]\nresolution = \"1 m\"\n[wall]\nstiffness = \"1 N/m\"\ndamping = \"0 … 0.5 N s/m\"\n"
+            )
+        };
+        for viscous in ["1.3 N s/m", "2.5 N s/m"] {
+            let scene = Scene::from_toml("s", &text(viscous)).unwrap();
+            let hardest = scene.hardest().given.damping.unwrap().nominal;
+            assert_eq!(hardest.to_rational().unwrap().to_string(), "0", "{viscous}");
+        }
     }
 }

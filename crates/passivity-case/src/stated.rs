@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use passivity_core::Parameter;
-use passivity_scene::check::{enclosure, unit_of};
+use passivity_scene::check::{enclosure, key_of, unit_of};
 use passivity_scene::display::range;
 use passivity_scene::{Given, Motion};
 use toml::de::{DeTable, DeValue};
@@ -41,11 +41,8 @@ fn in_si(parameter: Parameter, given: &Given, motion: Motion) -> String {
     let Some(value) = enclosure(&given.value) else {
         return "undefined".to_owned();
     };
-    let key = match (motion, parameter) {
-        (Motion::Linear, Parameter::Inertia) => "device.mass",
-        _ => parameter.row().key,
-    };
-    let of = match motion == Motion::Dimensionless || given.key == key {
+    let key = key_of(parameter, motion);
+    let of = match given.key == key {
         true => String::new(),
         false => format!("{key}: "),
     };

@@ -2,8 +2,8 @@
 
 use passivity_audit::{is_day, is_device, legible};
 use passivity_core::{BigRational, Parameter};
-use passivity_scene::check::unit_of;
-use passivity_scene::{Motion, Scene, SceneError};
+use passivity_scene::check::{key_of, unit_of};
+use passivity_scene::{Scene, SceneError};
 use toml_edit::{Decor, DocumentMut, Item, Table, Value, value};
 
 use crate::identified::{Bounds, Identified, IdentifyError};
@@ -103,12 +103,7 @@ impl Identified {
     /// sketch gives the parameter at the motor.
     #[must_use]
     pub fn key(&self, parameter: Parameter) -> &'static str {
-        let row = parameter.row();
-        match (self.motion, row.dimensionless_key) {
-            (Motion::Dimensionless, Some(key)) => key,
-            (Motion::Linear, _) if parameter == Parameter::Inertia => "device.mass",
-            _ => row.key,
-        }
+        key_of(parameter, self.motion)
     }
 
     /// Bounds of a parameter, rounded outwards, as a scene is given them; in words where nothing bounds it above.

@@ -20,6 +20,7 @@ pub mod any;
 pub mod check;
 pub mod diagnostic;
 pub mod display;
+mod ends;
 pub mod explain;
 pub mod files;
 pub mod joints;

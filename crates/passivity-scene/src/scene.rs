@@ -3,8 +3,6 @@
 use std::ops::Range;
 
 use num_traits::Zero;
-use passivity_core::parameter::Hurts;
-use passivity_core::verdict::{End, decide};
 use passivity_core::{BigRational, Effect, Exact, Interval, Loop, Parameter, Scalar};
 
 use crate::check::enclosure;
@@ -212,61 +210,11 @@ impl Scene {
         self.given.map(|_, given| given.value.clone())
     }
 
-    /// Whether a parameter that has a part in the criterion is given with a tolerance.
-    #[must_use]
-    pub fn has_ends(&self) -> bool {
-        self.parameters().into_iter().any(|(parameter, given)| {
-            given.has_tolerance() && parameter.row().hurts != Hurts::Neither
-        })
-    }
-
-    /// The scene with each parameter at the end of its tolerance at which the criterion is hardest, or easiest, to meet;
-    /// what has no part in the criterion stays as it is.
-    ///
-    /// Where the sampling period pulls both ways, it is at its other end if only there the criterion fails, or holds.
-    #[must_use]
-    pub fn at(&self, end: End) -> Self {
-        let bounds = self.bounds();
-        let with_period = |period: &Exact| {
-            let mut scene = self.clone();
-            scene.given = scene.given.map(|parameter, given| {
-                let at = match parameter {
-                    Parameter::Period => period,
-                    _ if parameter.row().hurts == Hurts::Neither => return given.clone(),
-                    _ => end.of(parameter, &given.value),
-                };
-                Given {
-                    value: Interval::point(at.clone()),
-                    nominal: at.clone(),
-                    ..given.clone()
-                }
-            });
-            scene
-        };
-        let first = with_period(end.of(Parameter::Period, &bounds.period));
-        if !bounds.period_pulls_both_ways() || bounds.period.is_point() {
-            return first;
-        }
-        let other = with_period(match end {
-            End::Hardest => bounds.period.lo(),
-            End::Easiest => bounds.period.hi(),
-        });
-        let holds = |scene: &Self| {
-            let at = scene.given.map(|_, given| given.nominal.clone());
-            decide(&at.criterion(), &at.speeds()).is_some_and(|decision| decision.holds)
-        };
-        match (end, holds(&first), holds(&other)) {
-            (End::Hardest, true, false) | (End::Easiest, false, true) => other,
-            _ => first,
-        }
-    }
-
     /// The parameters with a tolerance that a motion depends on, which is of the device at their nominal values.
-    pub fn nominal(&self) -> impl Iterator<Item = &Given> {
+    pub fn nominal(&self) -> impl Iterator<Item = (Parameter, &Given)> {
         let given = self.parameters().into_iter();
         let moving = given.filter(|(parameter, _)| *parameter != Parameter::MaxSpeed);
-        let moving = moving.map(|(_, given)| given);
-        moving.filter(|given| given.has_tolerance())
+        moving.filter(|(_, given)| given.has_tolerance())
     }
 
     /// How values of the file were taken, where a reader could have taken them otherwise.

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use passivity_core::{Exact, Interval, Parameter};
-use passivity_scene::check::enclosure;
+use passivity_scene::check::{enclosure, key_of};
 use passivity_scene::display::{Rounding, outward};
 use passivity_scene::number::nearest_f64;
 use passivity_scene::{Given, Scene};
@@ -36,7 +36,8 @@ pub struct Simulation {
     /// The keys of the parameters with a tolerance that were taken at their nominal value: that before a `±`, the middle of a
     /// range, or the bound where one is given.
     pub nominal: Vec<&'static str>,
-    /// These values, in SI units, or in K, T and Δ where the scene has no units.
+    /// These values as the motion has them, by the keys of what they are: a period for a rate, and what is given at the motor
+    /// at the device. In SI units, or in K, T and Δ where the scene has no units.
     pub nominal_values: BTreeMap<&'static str, f64>,
     /// What is computed in each interval.
     pub plan: Vec<String>,
@@ -143,13 +144,12 @@ fn finite(x: f64, figure: &'static str, interval: u64) -> Result<f64, SimError> 
 }
 
 /// The parameters that a plan of a scene takes at their nominal values; none in whose place a speed was typed.
-pub fn taken<'s>(scene: &'s Scene, plan: &Plan) -> impl Iterator<Item = &'s Given> {
+pub fn taken<'s>(scene: &'s Scene, plan: &Plan) -> impl Iterator<Item = (Parameter, &'s Given)> {
     let [_, velocity] = scene.point().start();
     let [_, started] = plan.start();
     let is_typed = nearest_f64(&velocity) != started;
-    let start = Parameter::StartVelocity.row().key;
     let all = scene.nominal();
-    all.filter(move |given| !(is_typed && given.key == start))
+    all.filter(move |(parameter, _)| !(is_typed && *parameter == Parameter::StartVelocity))
 }
 
 /// A number of a scene, nearly.
@@ -173,16 +173,18 @@ impl Simulation {
     ) -> Result<Self, SimError> {
         let (end, totals) = (&run.end, &run.totals);
         let finite = |x, figure| finite(x, figure, end.intervals);
-        let nominal: BTreeMap<_, _> = taken(scene, plan)
-            .filter_map(|given| Some((given.key, near(&given.nominal)?)))
-            .collect();
+        let value = |(parameter, given): (Parameter, &Given)| {
+            Some((key_of(parameter, scene.motion), near(&given.nominal)?))
+        };
+        let mut keys: Vec<_> = taken(scene, plan).map(|(_, given)| given.key).collect();
+        keys.sort_unstable();
         Ok(Self {
             scene: scene.name.clone(),
             method: method.name(),
             method_parameter: method.to_string(),
             effects: plan.effects().iter().map(|effect| effect.name()).collect(),
-            nominal: nominal.keys().copied().collect(),
-            nominal_values: nominal,
+            nominal: keys,
+            nominal_values: taken(scene, plan).filter_map(value).collect(),
             plan: plan.describe(),
             intervals: end.intervals,
             last: State::new(run)?,

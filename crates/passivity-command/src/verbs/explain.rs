@@ -119,7 +119,8 @@ fn plan(scene: &passivity_scene::Scene) -> Vec<String> {
     match passivity_sim::Plan::compile(&scene.point()) {
         Ok(plan) => {
             let nominal = scene.nominal();
-            let nominal = nominal.map(|given| format!("at {} {}", given.key, given.nominal_text()));
+            let nominal =
+                nominal.map(|(_, given)| format!("at {} {}", given.key, given.nominal_text()));
             plan.describe().into_iter().chain(nominal).collect()
         }
         Err(error) => vec![format!("none: {error}")],

@@ -33,7 +33,7 @@ pub struct Mark {
     pub name: String,
     /// Its numbers on the axes over the tolerances; `None` where it has no place on an axis.
     pub ranges: Option<[Interval<BigRational>; 2]>,
-    /// Those of the device at the hardest end of the tolerances, which decides the verdict.
+    /// Those of the device at the hardest of the ends of the tolerances.
     pub at: Option<[f64; 2]>,
     /// What the key says of its numbers, with units.
     pub place: [String; 2],

@@ -1,7 +1,6 @@
 //! The (β, σ) plane of Figs. 3 and 4: regions, critical lines, and where each scene sits.
 
 use passivity_core::rational::{from_wide, to_wide};
-use passivity_core::verdict::End;
 use passivity_core::{BigRational, Interval, Loop, Parameter, Scalar as _, Wide};
 use passivity_scene::Scene;
 use passivity_scene::check::{Report, Verdict};
@@ -17,8 +16,7 @@ pub use draw::{draw, draw_on_axes};
 ///
 /// It stands at β and σ less what its effects cost beyond the ½ of sampling and the ½ of
 /// quantization, so that the borders of the regions are its own. Of the devices within its tolerances the mark,
-/// the ways that lead from it and the critical line are all of one: that at the hardest end, which decides whether
-/// the scene is passive.
+/// the ways that lead from it and the critical line are all of one, that at the [hardest](Scene::hardest) of the ends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
     /// What the legend calls it.
@@ -65,7 +63,7 @@ impl Mark {
         let ends = |spare: &Interval<BigRational>| {
             [spare.lo(), spare.hi()].map(|x| nearest_f64(&(x + &half)))
         };
-        let at = scene.at(End::Hardest).point().at;
+        let at = scene.hardest().point().at;
         let speed = at.max_speed.as_ref();
         let speed = speed.map(|v| (nearest_f64(v), format!("{} ticks/sample", approx(v))));
         let mut bounds = scene.parameters().into_iter();

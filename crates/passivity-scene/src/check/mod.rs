@@ -26,7 +26,7 @@ pub(crate) use limits::{border, is_searched, typed_back};
 pub(crate) use lines::{Lines, headline, limits_heading};
 pub(crate) use report::LimitFigures;
 pub use report::{Costs, Report, Spare, check};
-pub use text::{comparison, unit_of};
+pub use text::{comparison, key_of, unit_of};
 pub(crate) use text::{short, words};
 pub use unforced::Unforced;
 pub(crate) use witness::rationals;

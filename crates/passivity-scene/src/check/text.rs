@@ -383,6 +383,27 @@ pub fn unit_of(parameter: Parameter, motion: Motion) -> &'static str {
     }
 }
 
+/// The key under which a scene of that motion has a parameter itself, and not in another form or at the motor.
+///
+/// # Example
+///
+/// ```
+/// use passivity_core::Parameter;
+/// use passivity_scene::{Motion, check::key_of};
+///
+/// assert_eq!(key_of(Parameter::Inertia, Motion::Linear), "device.mass");
+/// assert_eq!(key_of(Parameter::Viscous, Motion::Dimensionless), "dimensionless.beta");
+/// ```
+#[must_use]
+pub fn key_of(parameter: Parameter, motion: Motion) -> &'static str {
+    let row = parameter.row();
+    match (motion, row.dimensionless_key) {
+        (Motion::Dimensionless, Some(key)) => key,
+        (Motion::Linear, _) if parameter == Parameter::Inertia => "device.mass",
+        _ => row.key,
+    }
+}
+
 /// The unit of speed of a motion.
 #[must_use]
 pub(crate) const fn speed_unit(motion: Motion) -> &'static str {

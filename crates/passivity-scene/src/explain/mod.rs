@@ -235,13 +235,19 @@ fn lines(scene: &Scene, report: &Report) -> Vec<Line> {
         ),
         match scene.has_ends() {
             false => equations::criterion(scene),
-            true => {
-                let [hardest, easiest] =
-                    [End::Hardest, End::Easiest].map(|end| equations::criterion(&scene.at(end)));
+            // The ends of these are those of devices.
+            true if scene.either_way().is_empty() => {
+                let [hardest, easiest] = [End::Hardest, End::Easiest]
+                    .map(|end| equations::criterion(&scene.with_ends(end)));
                 format!(
                     "at the hardest end of the tolerances: {hardest}; at the easiest: {easiest}"
                 )
             }
+            true => format!(
+                "over the tolerances, each term for itself: ({}) + ({})/v ≥ 0",
+                range(&report.spare.viscous),
+                range(&report.spare.coulomb)
+            ),
         },
     );
     if let Some(speed) = report.critical_ticks_text() {

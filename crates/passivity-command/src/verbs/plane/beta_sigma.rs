@@ -1,6 +1,5 @@
 //! The (β, σ) plane with scenes in it.
 
-use passivity_core::verdict::End;
 use passivity_plot::plane::{Mark, draw_on_axes};
 use passivity_scene::check::{Verdict, check};
 use passivity_scene::number::nearest_f64;
@@ -21,7 +20,7 @@ struct Document {
 #[derive(Serialize)]
 struct Placed {
     scene: String,
-    /// β and σ of the device at the hardest end of the tolerances.
+    /// β and σ of the device at the hardest of the ends of the tolerances.
     beta: f64,
     sigma: Option<f64>,
     /// From the least to the largest over the tolerances, less what effects cost beyond ½: where it is drawn.
@@ -59,7 +58,7 @@ pub(super) fn run(args: &Args) -> Result<Exit, Failure> {
                 report.scene
             )));
         };
-        let friction = scene.at(End::Hardest).point().at.friction();
+        let friction = scene.hardest().point().at.friction();
         documents.push(Placed {
             scene: report.scene.clone(),
             beta: nearest_f64(&friction.beta),

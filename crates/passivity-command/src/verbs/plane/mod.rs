@@ -16,8 +16,9 @@ use crate::output::{Format, read_scene};
 ///
 /// Without --axes it is the (β, σ) plane of the paper's Figs. 3 and 4, with the critical line of each
 /// scene at its speed bound and where another stiffness, sampling period or encoder resolution would
-/// move it. A scene with tolerances stands at their hardest end, the device that decides the
-/// verdict, and its critical line and the ways are that device's; a box is what the tolerances span.
+/// move it. A scene with tolerances stands at the hardest of their ends, the device that is nearest
+/// to failing or fails the most, and its critical line and the ways are that device's; a box is what
+/// the tolerances span.
 /// With --axes it is the plane of any two parameters that the criterion knows, in the units
 /// of the scene file: where the scene is passive at every speed, and up to operator.max_speed. A border
 /// is the exact solution of the criterion where a formula says it, else it is searched for by halving;

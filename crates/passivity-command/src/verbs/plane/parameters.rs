@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use passivity_core::verdict::End;
 use passivity_core::{BigRational, Interval};
 use passivity_plot::parameters::{Group, Mark, Picture, Point, draw};
 use passivity_scene::check::{Report, check};
@@ -262,7 +261,7 @@ fn picture(
     let groups: Vec<Group> = families.iter().map(group).collect();
     let mark = |(scene, report): (&Scene, &Report)| {
         let [x, y] = axes.each_ref().map(|axis| axis.of_scene(scene));
-        let hardest = scene.at(End::Hardest);
+        let hardest = scene.hardest();
         let at = |axis: &Axis| Some(nearest_f64(&axis.of_scene(&hardest)?.middle()));
         let [hardest_x, hardest_y] = axes.each_ref().map(at);
         Mark {

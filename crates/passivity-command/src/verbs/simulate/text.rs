@@ -70,7 +70,8 @@ pub(super) fn text(
         ),
         format!("  effects     {}", effects.join(", ")),
     ]);
-    let nominal = taken(scene, plan).map(|given| format!("{} {}", given.key, given.nominal_text()));
+    let nominal =
+        taken(scene, plan).map(|(_, given)| format!("{} {}", given.key, given.nominal_text()));
     let starts = std::iter::once("  nominal     ").chain(std::iter::repeat(INDENT));
     lines.extend(
         starts
