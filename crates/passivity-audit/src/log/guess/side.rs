@@ -12,8 +12,12 @@ use crate::log::header::{Heading, split};
 use crate::log::preview::Preview;
 
 /// What a motor is called, alone or as a part of a longer word: `Motorwinkel`, `servomotor`.
-const MOTOR: [&str; 12] = [
+const MOTOR: [&str; 16] = [
     "motor",
+    "mtr",
+    "actuator",
+    "servo",
+    "drive",
     "moteur",
     "rotor",
     "silnik",
@@ -27,8 +31,11 @@ const MOTOR: [&str; 12] = [
     "전동기",
 ];
 
+/// What only turns is called.
+const ANGLES: [&str; 6] = ["theta", "phi", "θ", "φ", "angle", "winkel"];
+
 /// Whether the name of a column seems to be that of a value at the motor, where a transmission stands between it and the
-/// device. At `theta_m` an m that is no metre may be short for it.
+/// device. An m that is no metre may be short for it, as in `theta_m`, `thetaM` and `m_pos`: on a line, beside an angle.
 pub(super) fn is_at_motor(kind: Kind, heading: &Heading, scene: &Scene) -> bool {
     if kind == Kind::Time || scene.transmission.is_none() {
         return false;
@@ -37,9 +44,13 @@ pub(super) fn is_at_motor(kind: Kind, heading: &Heading, scene: &Scene) -> bool 
         let is_part = |part: &&str| word.starts_with(part) || word.ends_with(part);
         MOTOR.iter().any(is_part) || word.ends_with("mot")
     };
-    let is_short = split(&heading.name).is_ok_and(|split| match split.unit.as_deref() {
-        Some("m") => scene.motion != Motion::Linear,
-        _ => split.stem.ends_with("_m"),
+    let is_short = split(&heading.name).is_ok_and(|split| {
+        // In brackets it is a unit.
+        let is_last = split.unit.as_deref() == Some("m") && heading.name.ends_with(['m', 'M']);
+        let words = words(&split.stem);
+        let has = |other: &str| words.iter().any(|word| word == other);
+        let is_turned = scene.motion != Motion::Linear || ANGLES.into_iter().any(has);
+        has("m") || (is_last && is_turned)
     });
     is_short || words(&heading.name).iter().any(is_motor)
 }

@@ -50,6 +50,16 @@ fn a_motion_of_the_motor_is_not_proposed_as_one_of_the_device() {
             "q_mot",
             "theta_m",
             "theta_m [deg]",
+            "theta_M [deg]",
+            "thetaM",
+            "theta m",
+            "theta-m",
+            "theta.m",
+            "m_pos",
+            "m_angle [deg]",
+            "mtr_angle",
+            "actuator_angle [deg]",
+            "servo_angle",
             "position moteur",
             "/motor/joint_states.position.knob",
         ] {
@@ -78,6 +88,14 @@ fn a_motion_of_the_motor_is_not_proposed_as_one_of_the_device() {
         audited_on(&scene, &own, Some("t=t [s], x=motor_angle [deg]")).unwrap();
         let error = audited_on(&scene, &own, Some("t=t [s], x=motor_angel [deg]")).unwrap_err();
         assert_eq!(error.proposal, None, "{error}");
+    }
+    // A unit in brackets says nothing of a motor, and on a line metres are at the device.
+    let error = refused(&geared("motor"), "position [m]", rows);
+    assert!(!error.to_string().contains("motor"), "{error}");
+    for (name, is_motor) in [("theta_m", true), ("x_m", false), ("pos [m]", false)] {
+        let found = audited_on(&cable(), &log(name, rows), None);
+        let text = found.map_or_else(|error| error.to_string(), |_| String::new());
+        assert_eq!(text.contains("at the motor"), is_motor, "{name}: {text}");
     }
     // Where the motor is what the hand holds, and where the name says nothing, there is no other side.
     for (scene, name) in [
