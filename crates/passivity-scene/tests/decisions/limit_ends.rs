@@ -276,3 +276,30 @@ fn a_shortest_period_is_not_above_one_that_passes() {
     assert!(shortest.parse::<f64>().unwrap() <= 1.0, "{said}");
     assert_eq!(with(shortest).verdict, Verdict::Passive);
 }
+
+/// A factor of two of the scene's own value may fall just short of a border, where cells tell of no long stretch: that is
+/// not the border. The rates that pass are those from 1046.8867 to 21766.982 Hz, by κ of the lag at 60 digits.
+#[test]
+fn a_border_just_behind_a_factor_of_two_is_found() {
+    let scene = |rate: &str| {
+        let text = format!(
+            "[device]\nviscous = \"0.000426 N m s/rad\"\ncoulomb = \"0.000273 N m\"\n[sampling]\nrate = \"{rate} Hz\"\n\
+             [encoder]\nresolution = \"0.000297 rad\"\n[wall]\nstiffness = \"0.447 N m/rad\"\n\
+             damping = \"1.74e-05 N m s/rad\"\n[amplifier]\ntime_constant = \"0.0013 s\"\n\
+             [operator]\nmax_speed = \"0.515 rad/s\"\n"
+        );
+        check(&Scene::from_toml("lag", &text).unwrap()).to_text()
+    };
+    for now in ["21740", "21765", "5000", "1359", "10871"] {
+        let text = scene(now);
+        let words = line(&text, "sampling rate 1/T");
+        let words: Vec<&str> = words.split_whitespace().collect();
+        let ["from", lo, "to", hi, "Hz", ..] = words.as_slice() else {
+            panic!("{text}");
+        };
+        let [lo, hi] = [lo, hi].map(|x| x.parse::<f64>().unwrap());
+        // Each is bracketed to 2⁻¹² of a factor of two, and printed inward in five digits.
+        assert!((1046.88..1047.2).contains(&lo), "{now}: {lo}");
+        assert!((21755.0..21767.0).contains(&hi), "{now}: {hi}");
+    }
+}

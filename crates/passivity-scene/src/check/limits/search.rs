@@ -1,8 +1,6 @@
 //! Where the values of a parameter that pass end, where no formula says it: by factors of two, then by
 //! halves.
 
-use std::iter;
-
 use num_bigint::BigInt;
 use passivity_core::parameter::Values;
 use passivity_core::verdict::{End, Speeds};
@@ -153,8 +151,6 @@ impl<S: Enclosed> Search<'_, S> {
         if is_one_stretch && self.passes(further.last()?) {
             return None;
         }
-        let before = iter::once(from).chain(&further);
-        let (before, after) = before.zip(&further).find(|(a, b)| !all_pass(a, b))?;
         // Cells tell to some millionths, and take the longer the closer it is.
         let in_cells = self.bounds.has_actuator() || self.bounds.damping_time_constant.is_some();
         let steps = match is_one_stretch {
@@ -162,19 +158,33 @@ impl<S: Enclosed> Search<'_, S> {
             true if in_cells && has_range(self.parameter, self.bounds) => COARSE_STEPS,
             true => STEPS,
         };
-        let mut before = before.clone();
-        let mut found = None;
-        for _ in 0..MOST_ROUNDS {
-            let border = bisected(before.clone(), after, steps, |x| all_pass(&before, x))?;
-            let beyond = end.other().hardest(&border);
-            let is_told = is_one_stretch || !self.passes(beyond);
-            before = end.hardest(&border).clone();
-            found = Some(border);
-            if is_told {
-                break;
+        let mut before = from.clone();
+        let mut further = further.iter();
+        loop {
+            let after = further.find(|x| {
+                let passes = all_pass(&before, x);
+                if passes {
+                    before = (*x).clone();
+                }
+                !passes
+            })?;
+            let mut found = None;
+            for _ in 0..MOST_ROUNDS {
+                let border = bisected(before.clone(), after, steps, |x| all_pass(&before, x))?;
+                let beyond = end.other().hardest(&border);
+                let is_told = is_one_stretch || !self.passes(beyond);
+                before = end.hardest(&border).clone();
+                found = Some(border);
+                if is_told {
+                    return found;
+                }
             }
+            // Of the whole stretch up to there cells did not tell it: what is left of it is short.
+            if !(self.passes(after) && all_pass(&before, after)) {
+                return found;
+            }
+            before = after.clone();
         }
-        found
     }
 }
 
