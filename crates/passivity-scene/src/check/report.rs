@@ -237,7 +237,8 @@ fn checked<S: Enclosed>(scene: &Scene, bounds: &Loop<Interval<S>>) -> Option<Rep
         )?,
         cost: Costs {
             viscous: figure(&viscous_cost)?,
-            coulomb: figure(&coulomb_cost)?,
+            // It is a sum of sizes, however that is enclosed.
+            coulomb: decided(figure(&coulomb_cost)?, true),
         },
         spare: Spare {
             viscous: decided(figure(&viscous_spare)?, at_every_speed),

@@ -355,3 +355,11 @@ fn figures_of_damping_are_those_of_one_wall_each() {
         );
     }
 }
+
+/// ‖c‖₁ of a long response is enclosed, that of one which gives nothing too, and is no less than nothing.
+#[test]
+fn a_controller_that_gives_nothing_costs_no_less_than_nothing() {
+    let nothing = "[controller]\nnumerator = [\"0\"]\ndenominator = [\"1\", \"0.1\", \"0.1\"]\n";
+    let cost = report(&q("1"), "1", nothing).cost.coulomb;
+    assert!(cost.lo().is_zero() && *cost.hi() < q("1e-50"), "{cost:?}");
+}
