@@ -1,15 +1,16 @@
 //! What stands out in a log beside its account, each with the change to the scene or to the columns that
 //! puts it right.
 
-use passivity_core::Parameter;
+use passivity_core::{BigRational, Parameter};
 use passivity_scene::check::unit_of;
-use passivity_scene::display::{figures, significant};
+use passivity_scene::display::{Rounding, figures, rounded, significant};
 use passivity_scene::number::nearest_f64;
 use passivity_scene::{Motion, Scene};
 use serde::Serialize;
 
 use crate::log::layout::{Form, Layout};
-use crate::log::report::{Agreement, Fitted, Moved};
+use crate::log::report::{Agreement, Fitted, Moved, Supplied};
+use crate::log::text::energy_unit;
 use crate::log::timing::SHORT;
 use crate::shell::shell_word;
 
@@ -46,7 +47,7 @@ impl Finding {
     pub(crate) fn leaves_open(&self, applied: bool) -> bool {
         match self.kind {
             "wrap" | "fast_clock" => true,
-            "missed_force" | "old_force" => applied,
+            "missed_force" | "old_force" | "stored_energy" => applied,
             "oversampled" => !applied,
             _ => false,
         }
@@ -274,6 +275,37 @@ fn scaled(scale: f64, scene: &Scene) -> String {
     format!(
         "in the scene, under [wall]: stiffness = \"{stiffness} {unit}\"{others}; or correct the unit of the force{motor}"
     )
+}
+
+/// What the positions of a log are, in a word.
+pub(crate) const fn position(form: Form) -> &'static str {
+    match form {
+        Form::Count => "count",
+        Form::Xi | Form::X | Form::Ledger => "position",
+    }
+}
+
+/// What stands out in an account that holds, of forces that are not those of the scene's wall: that it rests on energy which
+/// the spring of that wall would have stored at the start. Of positions that are not zero where the wall that acted begins
+/// that is as much as one likes.
+pub(crate) fn of_stored(supply: &Supplied, form: Form, scene: &Scene) -> Finding {
+    let unit = energy_unit(scene.motion, &scene.effects());
+    let most = |x: &BigRational| rounded(&-x, 5, Rounding::Up);
+    Finding {
+        kind: "stored_energy",
+        says: format!(
+            "up to row {} the operator may have drawn {} {unit}: the spring of the scene's wall stores at most {} {unit} at the \
+             start, but the force is not that wall's, so it is open whether so much was stored",
+            supply.after + 1,
+            most(&supply.least),
+            most(&supply.floor)
+        ),
+        fix: format!(
+            "check that the {} is 0 where the wall begins, and that the scene has the wall of the log; or begin the log outside \
+             of the wall, where nothing is stored",
+            position(form)
+        ),
+    }
 }
 
 /// What stands out in times of which so many of all intervals are as short as [`SHORT`] says.

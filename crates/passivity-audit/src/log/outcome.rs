@@ -9,7 +9,7 @@ use crate::log::account::{Place, Point};
 use crate::log::certificate::Certificate;
 use crate::log::comparison::Comparison;
 use crate::log::error::TraceError;
-use crate::log::findings::{Finding, of_clock, of_force, of_velocity};
+use crate::log::findings::{Finding, of_clock, of_force, of_stored, of_velocity};
 use crate::log::found::Findings;
 use crate::log::layout::Form;
 use crate::log::report::{
@@ -57,10 +57,12 @@ impl Audit {
             false => [account.stored.as_ref(), None],
         };
         let mut lowest = lowest.map(|lowest| lowest.map(|lowest| (lowest.value(), lowest.h)));
+        let mut open = BigRational::zero();
         let supply = match &findings.first {
             Some(first) => {
                 let stored = potential(task.ledger, first).ok_or_else(undefined)?;
                 let [least, most] = stored.map(|stored| stored.to_rational());
+                open = left_open(task.layout.form, [&least, &most]);
                 // A spring that is so much stiffer than the wall's stores so much more.
                 let more = stiffness_at_rest(scene) - BigRational::one();
                 let mut beyond = [least, most.clone()].map(|stored| stored * &more);
@@ -91,11 +93,7 @@ impl Audit {
         let force = task.layout.force.map(|column| task.layout.name(column));
         let held = findings.held.findings(&force.unwrap_or_default());
         let found = found.chain(clock).chain(held).chain(moving).chain(wrapped);
-        let found: Vec<Finding> = found.collect();
-        let opened = |verdict: Verdict, applied: bool| match verdict {
-            Verdict::Holds if found.iter().any(|f| f.leaves_open(applied)) => Verdict::Depends,
-            verdict => verdict,
-        };
+        let mut found: Vec<Finding> = found.collect();
         let is_its_law = !task.applied || agreement.as_ref().is_some_and(|a| a.agrees);
         let judged = match is_its_law && !task.ledger.has_memory() {
             true => Judged::Interval,
@@ -130,6 +128,17 @@ impl Audit {
             (None, _) if !accounted => Verdict::NotCovered,
             (None, Judged::Interval) => of_intervals(&totals),
             (None, Judged::Running) => of_supply(&lowest),
+        };
+        // Zero forces give nothing.
+        let is_another = agreement.as_ref().is_some_and(|a| !a.agrees && !a.zero);
+        if let (Verdict::Holds, true, Some(supply)) = (verdict, task.applied && is_another, &supply)
+            && -&supply.least > open
+        {
+            found.push(of_stored(supply, task.layout.form, scene));
+        }
+        let opened = |verdict: Verdict, applied: bool| match verdict {
+            Verdict::Holds if found.iter().any(|f| f.leaves_open(applied)) => Verdict::Depends,
+            verdict => verdict,
         };
         let mut unended_rows = findings.unended_rows;
         if findings.unended {
@@ -306,6 +315,19 @@ fn of_supply(lowest: &Lowest) -> Verdict {
         (_, true) => Verdict::Fails,
         (true, false) => Verdict::Depends,
         (false, false) => Verdict::Holds,
+    }
+}
+
+/// What rounding leaves open of what was stored at the start, between these two: so much is not held against a device that
+/// rests there, whose energy at the end is that of the same number. Counts leave open where in a tick it was: that is.
+fn left_open(form: Form, [least, most]: [&BigRational; 2]) -> BigRational {
+    /// Some thirty roundings of doubles, and some sixteen of the grid that sums are on.
+    const SHARE: i64 = 1 << 48;
+    const GRID: i64 = 1 << 60;
+    let part = |n: i64| BigRational::new(1.into(), n.into());
+    match form {
+        Form::Count => BigRational::zero(),
+        _ => most - least + most * part(SHARE) + part(GRID),
     }
 }
 

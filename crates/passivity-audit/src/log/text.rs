@@ -74,12 +74,7 @@ impl Report {
     /// The unit of energies in text: without an encoder the Δ of KΔ² is one unit of length.
     #[must_use]
     pub fn energy_unit(&self) -> &'static str {
-        match self.motion {
-            Motion::Dimensionless => "KΔ²",
-            _ if self.effects.contains(&Effect::Encoder) => "KΔ²",
-            Motion::Linear => "K·(1 m)²",
-            Motion::Rotary => "K·(1 rad)²",
-        }
+        energy_unit(self.motion, &self.effects)
     }
 
     /// What the audit says, in a line.
@@ -252,6 +247,11 @@ impl Report {
                 supply.after + 1
             );
             out.put("least energy balance", &text);
+            if self.judged == Judged::Running {
+                let stored = rounded(&-&supply.floor, 5, Rounding::Up);
+                let text = format!("at most {stored} {unit} in the spring of the scene's wall");
+                out.put("stored at the start", &text);
+            }
         }
         if let Some(observer) = &self.observer {
             let (energy, least) = (approx(&observer.energy), approx(&observer.least));
@@ -272,6 +272,16 @@ impl Report {
                 number_of(missed, "sample")
             ),
         );
+    }
+}
+
+/// The unit of energies in a scene that moves so and has these effects.
+pub(crate) fn energy_unit(motion: Motion, effects: &[Effect]) -> &'static str {
+    match motion {
+        Motion::Dimensionless => "KΔ²",
+        _ if effects.contains(&Effect::Encoder) => "KΔ²",
+        Motion::Linear => "K·(1 m)²",
+        Motion::Rotary => "K·(1 rad)²",
     }
 }
 

@@ -21,7 +21,7 @@ use passivity_scene::{Motion, Scene};
 use serde::{Deserialize, Serialize};
 
 use crate::log::chunk::{Chunk, Samples};
-use crate::log::findings::Finding;
+use crate::log::findings::{Finding, position};
 use crate::log::layout::{Form, Layout};
 use crate::log::running::near_number;
 use crate::log::scale::revolution;
@@ -355,10 +355,7 @@ impl Wrapped {
     /// What is said of it.
     pub(crate) fn finding(&self, layout: &Layout, periods: &Periods) -> Option<Finding> {
         let first = self.first?;
-        let what = match layout.form {
-            Form::Count => "count",
-            _ => "position",
-        };
+        let what = position(layout.form);
         let [from, to, period] = [first.from, first.to, first.period].map(f64::from_bits);
         let is_turn = |(turn, _): (f64, f64)| turn.to_bits() == first.period;
         let by = match periods.turn.is_some_and(is_turn) {
@@ -379,8 +376,11 @@ impl Wrapped {
                 row.saturating_sub(1)
             ),
             fix: format!(
-                "unwrap the {what} in the log: {} {by} from row {row} on",
-                if to < from { "add" } else { "take off" }
+                "unwrap the {what} in the log, so that it is 0 where the wall begins: {} {by} from row {row} on, or {} {by} up to \
+                 row {}",
+                if to < from { "add" } else { "take off" },
+                if to < from { "take off" } else { "add" },
+                row.saturating_sub(1)
             ),
         })
     }

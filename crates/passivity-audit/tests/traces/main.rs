@@ -11,4 +11,5 @@ mod near;
 mod parquet;
 mod partial;
 mod scratch;
+mod stored;
 mod wraps;
