@@ -33,11 +33,12 @@ impl Report {
             self.running(&mut out);
             self.sampling(&mut out);
         }
-        if let Some(agreement) = &self.force {
+        // Of no row there is nothing to say.
+        if let (Some(agreement), true) = (&self.force, self.samples > 0) {
             out.put("force", &agreement.to_text());
-        }
-        if let (Some(law), Some(false)) = (&self.law, self.force.as_ref().map(|f| f.agrees)) {
-            out.put("under the wall's law", law.words());
+            if let (Some(law), false) = (&self.law, agreement.agrees) {
+                out.put("under the wall's law", law.words());
+            }
         }
         for finding in &self.findings {
             out.put("finding", &finding.says);

@@ -228,3 +228,18 @@ fn the_force_of_a_wall_that_is_moved_is_no_other_stiffness() {
         }
     }
 }
+
+/// Before the first row that can be read there is no force, of no sample.
+#[test]
+fn nothing_is_said_of_the_forces_of_no_row() {
+    let said = |csv: &'static str, scene: &Scene| {
+        let audit = audit_csv(Box::new(csv.as_bytes()), scene, Options::default()).unwrap();
+        assert!(audit.error().is_some());
+        audit.to_text()
+    };
+    let text = said("tau,count,f\nx,0,0\n1,1,0\n", &three_fifths());
+    assert!(!text.contains("wall's law"), "{text}");
+    let delayed = "[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\"\n[sampling]\ndelay = 2\n";
+    let text = said("tau,count,f\n0,0,0\nx,1,0\n", &scene(delayed));
+    assert!(text.contains("so none is compared"), "{text}");
+}
