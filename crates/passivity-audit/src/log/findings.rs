@@ -101,12 +101,27 @@ pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) ->
             }];
         }
     };
+    let rounding = agreement.rounding.unwrap_or(0.0);
+    let is_multiple = left <= rounding;
+    let off = (scale.abs() - 1.0).abs();
+    let threshold = if is_multiple {
+        rounding
+    } else {
+        left.max(SCALED)
+    };
+    // What is left where the force comes late may be what a moved wall does, which at another delay than the scene's is not
+    // told from a scale.
+    let is_told = is_multiple || delay == agreement.delay;
+    let times = match !is_told && off > threshold {
+        true => format!("{} times ", off_one(scale, scale.abs())),
+        false => String::new(),
+    };
     let mut findings = Vec::new();
     if delay != agreement.delay {
         findings.push(Finding {
             kind: "delay",
             says: format!(
-                "the force follows the wall's law with {}, and the scene has {}",
+                "the force follows {times}the wall's law with {}, and the scene has {}",
                 samples(delay),
                 samples(agreement.delay)
             ),
@@ -137,17 +152,6 @@ pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) ->
     if moved != 0.0 {
         findings.push(of_moved(moved));
     }
-    let rounding = agreement.rounding.unwrap_or(0.0);
-    let is_multiple = left <= rounding;
-    let off = (scale.abs() - 1.0).abs();
-    let threshold = if is_multiple {
-        rounding
-    } else {
-        left.max(SCALED)
-    };
-    // What is left where the force comes late may be what a moved wall does, which at another delay than the scene's is not
-    // told from a scale.
-    let is_told = is_multiple || delay == agreement.delay;
     if is_told && off > threshold {
         findings.push(Finding {
             kind: "scale",
@@ -161,7 +165,7 @@ pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) ->
     if findings.is_empty() || !is_multiple {
         findings.push(beyond_rounding(
             agreement,
-            left,
+            (scale, left),
             findings.is_empty(),
             layout.form,
         ));
@@ -192,8 +196,21 @@ fn of_moved(ticks: f64) -> Finding {
     }
 }
 
+/// What is left of forces is what they are off the nearest multiple, which is said unless it is the law.
+fn of_multiple(scale: f64) -> String {
+    match figures(scale, 5) {
+        one if one == "1" => String::new(),
+        scale => format!(" from {scale} times the law"),
+    }
+}
+
 /// Of forces that are near the law's, or a multiple of it, by more than their digits are off.
-fn beyond_rounding(agreement: &Agreement, left: f64, is_all: bool, form: Form) -> Finding {
+fn beyond_rounding(
+    agreement: &Agreement,
+    (scale, left): (f64, f64),
+    is_all: bool,
+    form: Form,
+) -> Finding {
     let share = |x: f64| format!("{} % of its size (RMS)", figures(100.0 * x, 3));
     let says = match is_all {
         true => format!(
@@ -203,8 +220,9 @@ fn beyond_rounding(agreement: &Agreement, left: f64, is_all: bool, form: Form) -
             share(agreement.difference.unwrap_or(left))
         ),
         false => format!(
-            "beside that the force differs by {}, and its digits are off by {} at the most",
+            "beside that the force differs by {}{}, and its digits are off by {} at the most",
             share(left),
+            of_multiple(scale),
             share(agreement.rounding.unwrap_or(0.0))
         ),
     };

@@ -1,6 +1,7 @@
 //! Where a trace has forces, the account is of those forces, and what they are to the wall's law is
 //! said beside it.
 
+mod late;
 mod told;
 
 use std::fmt::Write as _;
