@@ -28,7 +28,7 @@ use crate::reading::Reading;
 pub(crate) use unlike::Unlike;
 
 /// The longest lag that is tried beyond the scene's, in samples.
-const LAGS: usize = 8;
+pub(crate) const LAGS: usize = 8;
 
 /// How far off a force may be, of its own size: single precision has 2⁻²⁴, and logs lose more.
 const RELATIVE: f64 = 1e-6;

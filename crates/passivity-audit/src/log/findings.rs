@@ -8,6 +8,7 @@ use passivity_scene::number::nearest_f64;
 use passivity_scene::{Motion, Scene};
 use serde::Serialize;
 
+use crate::log::comparison::LAGS;
 use crate::log::layout::{Form, Layout};
 use crate::log::report::{Agreement, Fitted, Moved, Supplied};
 use crate::log::text::energy_unit;
@@ -117,7 +118,18 @@ pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) ->
         false => String::new(),
     };
     let mut findings = Vec::new();
-    if delay != agreement.delay {
+    // Of delays that are tried the last one may be the nearest for want of those beyond it, unless it leaves nothing.
+    let is_last = !is_multiple && delay == agreement.delay + LAGS;
+    if is_last {
+        findings.push(Finding {
+            kind: "delay",
+            says: format!(
+                "the force is late by {delay} samples or more, and the scene has {}; longer delays are not tried",
+                samples(agreement.delay)
+            ),
+            fix: "check how late the force is; in the scene that is `delay`, under [sampling]".to_owned(),
+        });
+    } else if delay != agreement.delay {
         findings.push(Finding {
             kind: "delay",
             says: format!(
@@ -162,7 +174,7 @@ pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) ->
             fix: scaled(scale.abs(), scene),
         });
     }
-    if findings.is_empty() || !is_multiple {
+    if findings.is_empty() || !(is_multiple || is_last) {
         findings.push(beyond_rounding(
             agreement,
             (scale, left),

@@ -50,3 +50,23 @@ fn a_multiple_of_the_law_that_comes_late_is_named() {
     let kinds = |found: &[Finding]| found.iter().map(|f| f.kind).collect::<Vec<_>>();
     assert_eq!(kinds(&findings(6, 0.5, 0.0)), ["delay", "scale"]);
 }
+
+/// No delay of more than eight samples beyond the scene's is tried, so that eight is told only where it leaves nothing.
+#[test]
+fn a_force_that_is_later_than_is_tried_has_no_delay_proposed() {
+    for lag in [9, 12, 16] {
+        let found = findings(lag, 1.0, 0.0);
+        let [late] = &found[..] else {
+            panic!("{lag} {found:?}")
+        };
+        assert_eq!(late.kind, "delay");
+        let says = "the force is late by 8 samples or more, and the scene has no delay;";
+        assert!(late.says.starts_with(says), "{late:?}");
+        assert!(!late.fix.contains("delay ="), "{late:?}");
+    }
+    let found = findings(8, 1.0, 0.0);
+    assert_eq!(found[0].fix, "in the scene, under [sampling]: delay = 8");
+    // Nearer ones are told with what is left.
+    let found = findings(7, 1.0, 0.01);
+    assert_eq!(found[0].fix, "in the scene, under [sampling]: delay = 7");
+}
