@@ -4,6 +4,7 @@ use passivity_scene::Scene;
 
 use super::{Audit, Options, TraceError, run};
 use crate::log::chunk::{Chunk, Samples};
+use crate::log::digits::half_a_unit;
 use crate::log::header::Heading;
 use crate::log::layout::{Form, Layout};
 use crate::log::numbers::{Numbers, double};
@@ -166,7 +167,8 @@ fn chunk(columns: &[(String, Values)], layout: &Layout, range: std::ops::Range<u
         } else if force {
             let found = chunk.forces.values.push_all(numbers);
             let len = chunk.forces.values.len();
-            chunk.forces.roundings.resize(len, 0.0);
+            let half = values.half_a_unit() * layout.size_of_force;
+            chunk.forces.roundings.resize(len, half);
             keep(len, found.err(), column);
         } else {
             let near = (0..numbers.len()).filter_map(|i| numbers.get(i));
@@ -219,6 +221,14 @@ impl Values {
                 let (numbers, error) = values.numbers(range);
                 samples.push_all(numbers).err().or(error)
             }
+        }
+    }
+
+    /// Half a unit of the last digit of each: doubles have none.
+    fn half_a_unit(&self) -> f64 {
+        match self {
+            Self::Whole(_) => half_a_unit(0),
+            Self::Doubles(_) => 0.0,
         }
     }
 

@@ -146,7 +146,7 @@ impl Place {
 
 /// Half a unit of the last of so many decimals.
 #[allow(clippy::cast_precision_loss)] // of powers of ten within 64 bits nothing is lost
-fn half_a_unit(decimals: i32) -> f64 {
+pub(crate) fn half_a_unit(decimals: i32) -> f64 {
     let power = u32::try_from(decimals).ok().and_then(power_of_ten);
     power.map_or_else(|| 0.5 * 10_f64.powi(-decimals), |power| 0.5 / power as f64)
 }

@@ -12,6 +12,7 @@ use parquet::file::serialized_reader::SerializedFileReader;
 use parquet::schema::types::ColumnDescPtr;
 
 use crate::log::chunk::{Chunk, Samples};
+use crate::log::digits::Seen;
 use crate::log::error::{TraceError, shown};
 use crate::log::guarded::guarded;
 use crate::log::header::Heading;
@@ -117,6 +118,25 @@ impl Table {
             columns: read.unwrap_or_default(),
             ..Preview::default()
         }
+    }
+
+    /// Looks at the digits of the numbers of a column of texts, group by group.
+    pub(crate) fn see(&self, column: usize, mut seen: Seen) -> Seen {
+        let looked = guarded("parquet", || {
+            for group in 0..self.file.num_row_groups() {
+                let group = self.file.get_row_group(group).map_err(|e| broken(&e))?;
+                let rows = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
+                let mut wanted = open_column(&*group, column)?;
+                if wanted.meaning != Meaning::Text || seen.is_done() {
+                    break;
+                }
+                typed::see(&mut wanted.reader, rows, &mut seen)?;
+            }
+            Ok(())
+        });
+        // What is wrong with the file is said where it is read.
+        looked.unwrap_or_default();
+        seen
     }
 
     /// The next stretch of rows; `None` after the last.
@@ -234,7 +254,14 @@ impl Table {
                 chunk.samples = Samples::Counts(counts.values);
                 continue;
             }
-            let (read, found) = typed::column(*meaning, reader, rows);
+            let (read, found) = match Some(*column) == layout.force {
+                true => {
+                    let (read, roundings, found) = typed::forces(*meaning, reader, rows, layout);
+                    chunk.forces.roundings = roundings;
+                    (read, found)
+                }
+                false => typed::column(*meaning, reader, rows),
+            };
             keep(read.len(), found);
             match *column {
                 i if i == layout.position => starts = read,
@@ -261,7 +288,6 @@ impl Table {
                 column => {
                     let found = chunk.forces.values.push_all(read).err();
                     let len = chunk.forces.values.len();
-                    chunk.forces.roundings.resize(len, 0.0);
                     keep(len, found.map(|found| found.column(layout.name(column))));
                 }
             }

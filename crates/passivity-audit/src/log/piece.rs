@@ -16,6 +16,8 @@ use sha2::{Digest as _, Sha256};
 
 use crate::ledger::Ledger;
 use crate::log::comparison::Comparison;
+#[cfg(feature = "parquet")]
+use crate::log::digits::Seen;
 use crate::log::error::{TraceError, shown};
 use crate::log::header::Heading;
 use crate::log::layout::Layout;
@@ -268,7 +270,10 @@ fn parquet(
         headings: table.headings()?,
         preview: table.preview(),
     };
-    let layout = said.layout(dialect, scene)?;
+    let mut layout = said.layout(dialect, scene)?;
+    if let Some(force) = layout.force {
+        layout.digits = table.see(force, Seen::default()).digits;
+    }
     let rows = table.rows()?;
     let (from, to) = match stretch {
         Stretch::Samples(from, to) => (from.min(rows), to.unwrap_or(rows).min(rows)),

@@ -80,8 +80,8 @@ impl Source {
         };
         let opened = open(first, block)?;
         let (reader, mut layout) = opened.read(scene, dialect)?;
-        if let (Some(force), Reader::Csv(..), 2..) = (layout.force, &reader, paths.len()) {
-            layout.digits = digits(paths, dialect, force);
+        if let (Some(force), 2..) = (layout.force, paths.len()) {
+            layout.digits = digits(paths, dialect, force).unwrap_or(layout.digits);
         }
         let source = Self {
             reader,
@@ -151,23 +151,32 @@ impl Source {
     }
 }
 
-/// The digits of a column at the start of a log, of which the first file may have few rows. What is wrong with another is
-/// said where it is read.
-fn digits(paths: &[PathBuf], dialect: &Dialect, column: usize) -> Digits {
-    let mut seen = Seen::default();
+/// The digits of a column at the start of a log, of which the first file may have few rows; `None` where that is not read
+/// twice. What is wrong with another is said where it is read.
+fn digits(paths: &[PathBuf], dialect: &Dialect, column: usize) -> Option<Digits> {
+    let (mut seen, mut digits) = (Seen::default(), None);
     for path in paths {
         if path.as_os_str() == "-" || seen.is_done() {
             break;
         }
-        let Ok(Opened::Csv(mut lines)) = open(path, lines::BLOCK) else {
+        let Ok(opened) = open(path, lines::BLOCK) else {
             break;
         };
-        let Ok((_, notation)) = dialect.names(&mut lines) else {
-            break;
-        };
-        lines.see(column, notation, &mut seen);
+        match opened {
+            Opened::Csv(mut lines) => {
+                let Ok((_, notation)) = dialect.names(&mut lines) else {
+                    break;
+                };
+                lines.see(column, notation, &mut seen);
+            }
+            #[cfg(feature = "parquet")]
+            Opened::Parquet(table) => seen = table.see(column, seen),
+            #[cfg(feature = "mcap")]
+            Opened::Mcap(_) => break,
+        }
+        digits = Some(seen.digits);
     }
-    seen.digits
+    digits
 }
 
 /// A file whose header is still to be read.
@@ -278,7 +287,10 @@ impl Opened {
             Self::Parquet(table) => {
                 let told = dialect.columns.as_ref();
                 let layout = Layout::read(table.headings()?, told, &table.preview(), scene);
-                let layout = layout.map_err(|error| table.lists_named(error))?;
+                let mut layout = layout.map_err(|error| table.lists_named(error))?;
+                if let Some(force) = layout.force {
+                    layout.digits = table.see(force, Seen::default()).digits;
+                }
                 Ok((Reader::Parquet(table), layout))
             }
             #[cfg(feature = "mcap")]

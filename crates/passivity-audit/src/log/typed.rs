@@ -8,7 +8,9 @@ use parquet::errors::ParquetError;
 use parquet::schema::types::ColumnDescriptor;
 use passivity_core::BigRational;
 
+use crate::log::digits::{Place, Seen, half_a_unit};
 use crate::log::error::{self, TraceError};
+use crate::log::layout::Layout;
 use crate::log::numbers::Numbers;
 use crate::number::Number;
 
@@ -308,10 +310,7 @@ pub(crate) fn numbers(meaning: Meaning, reader: &mut ColumnReader, rows: usize) 
     };
     let of_bytes = |bytes: &[u8]| match meaning {
         Meaning::Decimal(scale) => bounded(over_ten(BigInt::from_signed_bytes_be(bytes), scale)),
-        _ => match std::str::from_utf8(bytes) {
-            Ok(literal) => error::number(literal),
-            Err(_) => Err(TraceError::new("number", "not UTF-8 text")),
-        },
+        _ => spelled(bytes),
     };
     match reader {
         ColumnReader::Int64ColumnReader(reader) => {
@@ -334,6 +333,67 @@ pub(crate) fn numbers(meaning: Meaning, reader: &mut ColumnReader, rows: usize) 
         ColumnReader::BoolColumnReader(_) => {
             Column::wrong(TraceError::new("type", "expected numbers"))
         }
+    }
+}
+
+/// The forces of a column, and half a unit of the last digit of each, in KΔ, as in CSV: of whole numbers and decimals as
+/// their types say. Doubles have no last digit.
+pub(crate) fn forces(
+    meaning: Meaning,
+    reader: &mut ColumnReader,
+    rows: usize,
+    layout: &Layout,
+) -> (Numbers, Vec<f64>, Option<TraceError>) {
+    let half = match (&mut *reader, meaning) {
+        (ColumnReader::ByteArrayColumnReader(reader), Meaning::Text) => {
+            let read = values(reader, rows).map(|text| {
+                let place = Place::read(text.data());
+                let half = place.map_or(0.0, |place| layout.digits.half_a_unit(place));
+                Ok((spelled(text.data())?, half * layout.size_of_force))
+            });
+            let (numbers, halves): (Vec<Number>, _) = read.values.into_iter().unzip();
+            return (numbers.into(), halves, read.error);
+        }
+        (_, Meaning::Decimal(scale)) => half_a_unit(scale),
+        (ColumnReader::Int32ColumnReader(_) | ColumnReader::Int64ColumnReader(_), _) => {
+            half_a_unit(0)
+        }
+        _ => 0.0,
+    };
+    let (numbers, error) = column(meaning, reader, rows);
+    let halves = vec![half * layout.size_of_force; numbers.len()];
+    (numbers, halves, error)
+}
+
+/// Looks at the digits of `rows` texts.
+pub(crate) fn see(
+    reader: &mut ColumnReader,
+    mut rows: usize,
+    seen: &mut Seen,
+) -> Result<(), TraceError> {
+    /// How many are read at once.
+    const SOME: usize = 1 << 10;
+    let ColumnReader::ByteArrayColumnReader(reader) = reader else {
+        return Ok(());
+    };
+    while rows > 0 && !seen.is_done() {
+        let some = rows.min(SOME);
+        let read = values(reader, some);
+        for text in &read.values {
+            // As in a line of its own.
+            seen.see(text.len() + 1, Place::read(text.data()));
+        }
+        read.error.map_or(Ok(()), Err)?;
+        rows -= some;
+    }
+    Ok(())
+}
+
+/// The number that a text spells.
+fn spelled(text: &[u8]) -> Result<Number, TraceError> {
+    match std::str::from_utf8(text) {
+        Ok(literal) => error::number(literal),
+        Err(_) => Err(TraceError::new("number", "not UTF-8 text")),
     }
 }
 

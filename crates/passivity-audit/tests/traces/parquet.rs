@@ -12,7 +12,8 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::parser::parse_message_type;
 use passivity_audit::{
-    Audit, Options, Stretch, TraceError, Verdict, audit, audit_csv, audit_part, merge_parts,
+    Audit, Options, Stretch, TraceError, Verdict, audit, audit_csv, audit_files, audit_part,
+    merge_parts,
 };
 use passivity_scene::Scene;
 
@@ -292,6 +293,39 @@ fn merged_pieces_are_the_report_of_the_whole() {
             assert_eq!(merged(&stretches), whole, "{cut}");
         }
     }
+}
+
+/// How long texts are is seen in all groups and files from the first row on, as in CSV, and by each piece.
+#[test]
+fn forces_as_text_have_the_digits_of_those_in_csv() {
+    let counts = [0, 1, 10, 3, 1, 0, 2];
+    // Of two digits at the most -10 may be -10.5, but -1 is -1.0.
+    let forces = ["-0.5", "-1", "-10", "-3.5", "-3/2", "-0.5", "-2.5"];
+    let stored = |rows: std::ops::Range<usize>| {
+        let counts = Column::Whole(counts[rows.clone()].to_vec());
+        let forces = Column::Text(forces[rows].to_vec());
+        write(&[("count", counts), ("f", forces)], Compression::SNAPPY)
+    };
+    let rows = counts.iter().zip(forces);
+    let lines: String = rows.map(|(n, f)| format!("{n},{f}\n")).collect();
+    let expected = csv(&format!("count,f\n{lines}")).to_json();
+    let mismatches = &expected["force"]["mismatches"];
+    assert_eq!(mismatches, 1, "{}", expected["force"]);
+    let path = stored(0..7);
+    assert_eq!(read(&path).unwrap().to_json(), expected);
+    for n in [1, 2, 4] {
+        let part = |i| {
+            let part = audit_part(&path, &scene(), Stretch::Shard(i, n), Options::default());
+            (i.to_string(), part.unwrap())
+        };
+        let parts: Vec<_> = (1..=n).map(part).collect();
+        let merged = merge_parts(&parts, &scene()).unwrap();
+        assert_eq!(merged.to_json(), expected, "{n}");
+    }
+    let files = [stored(0..2), stored(2..7)];
+    let paths = files.each_ref().map(|file| file.to_path_buf());
+    let audit = audit_files(&paths, &scene(), Options::default()).unwrap();
+    assert_eq!(audit.to_json()["force"], expected["force"]);
 }
 
 /// Counts 0, 0, 0, 8, 0, 0, 0 in a page with a checksum, which our writer has none of.

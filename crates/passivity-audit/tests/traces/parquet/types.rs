@@ -10,7 +10,7 @@ use parquet::data_type::{
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::parser::parse_message_type;
-use passivity_audit::{Audit, Options, TraceError, audit};
+use passivity_audit::{Audit, Options, TraceError, Values, audit, audit_columns, audit_csv};
 use passivity_scene::Scene;
 
 use super::read;
@@ -334,4 +334,88 @@ fn a_force_is_not_left_out_among_many_columns_or_for_its_type() {
         assert!(error.to_string().contains(says), "{error}");
         columns.pop();
     }
+}
+
+/// Forces of the wall to a thousandth of a mN m, whatever they are stored as: none of them is the law's but for that.
+#[test]
+fn forces_are_compared_within_half_a_unit_of_what_their_type_says() {
+    use Stored::{Bytes, Long, Short};
+    let motor = "[device]\ninertia = \"2e-5 kg m^2\"\nviscous = \"4e-5 N m s/rad\"\ncoulomb = \"3e-3 N m\"\n\
+                 [sampling]\nrate = \"1 kHz\"\n[encoder]\ncounts_per_revolution = 4096\n\
+                 [wall]\nstiffness = \"0.5 N m/rad\"\n[operator]\nmax_speed = \"3 rad/s\"\n";
+    let scene = Scene::from_toml("test", motor).unwrap();
+    let options = || {
+        let mut options = Options::default();
+        options.dialect.columns = Some("count=count, f=f [mN m]".parse().unwrap());
+        options
+    };
+    let counts = [0, 1, 2, 3, 4, 3, 2, 1];
+    let in_units = |unit: f64| counts.map(|n| law(n, unit));
+    let of_csv = |forces: [String; 8]| {
+        let rows = counts.iter().zip(forces).map(|(n, f)| format!("{n},{f}\n"));
+        let text = format!("count,f\n{}", rows.collect::<String>());
+        audit_csv(Box::new(std::io::Cursor::new(text)), &scene, options()).unwrap()
+    };
+    let thousandths = in_units(1e-3);
+    let csv = of_csv(thousandths.map(|n| format!("{:.3}", f64::from(n) * 1e-3)));
+    assert!(csv.report().force.as_ref().unwrap().agrees);
+    let shortest = of_csv(thousandths.map(|n| (f64::from(n) * 1e-3).to_string()));
+    let whole = of_csv(in_units(1.0).map(|n| n.to_string()));
+    assert_eq!(whole.report().force.as_ref().unwrap().mismatches, 0);
+    let text = |n: f64, decimals: Option<usize>| {
+        let text = decimals.map_or_else(|| n.to_string(), |k| format!("{n:.k$}"));
+        Bytes(text.leak().as_bytes())
+    };
+    let bytes = |n: i32| Bytes(n.to_be_bytes().to_vec().leak());
+    let fixed = |n: i32| text(f64::from(n) * 1e-3, Some(3));
+    let cases: [(&str, [Stored; 8], &Audit); 9] = [
+        ("int32 f (DECIMAL(8,3))", thousandths.map(Short), &csv),
+        (
+            "int64 f (DECIMAL(18,3))",
+            thousandths.map(|n| Long(n.into())),
+            &csv,
+        ),
+        (
+            "fixed_len_byte_array(4) f (DECIMAL(8,3))",
+            thousandths.map(bytes),
+            &csv,
+        ),
+        ("binary f (DECIMAL(8,3))", thousandths.map(bytes), &csv),
+        ("binary f (STRING)", thousandths.map(fixed), &csv),
+        (
+            "binary f",
+            thousandths.map(|n| text(f64::from(n) * 1e-3, None)),
+            &shortest,
+        ),
+        ("int32 f", in_units(1.0).map(Short), &whole),
+        ("int64 f", in_units(1.0).map(|n| Long(n.into())), &whole),
+        (
+            "int64 f (DECIMAL(18,0))",
+            in_units(1.0).map(|n| Long(n.into())),
+            &whole,
+        ),
+    ];
+    for (field, forces, csv) in cases {
+        let path = store(&[
+            ("int32 count", counts.map(Short).into_iter().collect()),
+            (field, forces.into_iter().collect()),
+        ]);
+        let audit = audit(&path, &scene, options()).unwrap();
+        assert_eq!(audit.to_json(), csv.to_json(), "{field}");
+    }
+    let columns = [("count", counts), ("f", in_units(1.0))];
+    let columns = columns.map(|(name, values)| {
+        (
+            name.to_owned(),
+            Values::Whole(values.map(i64::from).to_vec()),
+        )
+    });
+    let audit = audit_columns(columns.into_iter().collect(), &scene, options()).unwrap();
+    assert_eq!(audit.to_json(), whole.to_json());
+}
+
+/// The force of a wall of 0.5 N m/rad at a count of 4096 in a revolution, in multiples of so many mN m.
+fn law(count: i32, unit: f64) -> i32 {
+    let tick = 500.0 * std::f64::consts::TAU / 4096.0;
+    (-tick * (f64::from(count) + 0.5) / unit).round() as i32
 }
