@@ -226,7 +226,13 @@ impl Report {
             }
         }
         let (fails, depends) = (totals.criterion_fails, totals.criterion_depends);
-        let criterion = format!("{}, {depends} undecided", intervals(fails));
+        let is_of_law =
+            |effect: &Effect| matches!(effect, Effect::DampingFilter | Effect::Controller);
+        let whose = match self.effects.iter().any(is_of_law) {
+            true => "; of the wall's spring alone, without the cost of its filter or controller",
+            false => "",
+        };
+        let criterion = format!("{}, {depends} undecided{whose}", intervals(fails));
         out.put("criterion fails in", &criterion);
         if let Some(worst) = &self.worst
             && let Some(net) = worst.ledger.row.net_linear()

@@ -187,3 +187,24 @@ fn nor_are_there_any_before_a_mistake() {
         "{text}"
     );
 }
+
+/// The account is of the spring, and so is the criterion: where friction is enough for it, and not for the controller, the
+/// report does not say that the criterion holds.
+#[test]
+fn the_criterion_of_a_spring_is_not_said_to_be_that_of_a_controller() {
+    let text = "[device]\nviscous = \"0.9 N s/m\"\ncoulomb = \"0.9 N\"\n[sampling]\nperiod = \"1 s\"\n\
+        [encoder]\nresolution = \"1 m\"\n[wall]\nstiffness = \"1 N/m\"\n";
+    let controller = "[controller]\nnumerator = [\"1.5\", \"-0.5\"]\n";
+    let log = "t [s],x [m],f [N]\n0,0,0\n1,10,-10\n2,0,0\n3,10,-10\n";
+    for (more, is_said) in [(controller, true), ("", false)] {
+        let scene = passivity_scene::Scene::from_toml("s", &format!("{text}{more}")).unwrap();
+        let trace = Box::new(std::io::Cursor::new(log.as_bytes().to_vec()));
+        let audit = passivity_audit::audit_csv(trace, &scene, passivity_audit::Options::default());
+        let text = audit.unwrap().to_text();
+        assert_eq!(
+            text.contains("of the wall's spring alone"),
+            is_said,
+            "{text}"
+        );
+    }
+}
