@@ -17,7 +17,7 @@ pub(crate) use rising::only_rises;
 use score::{called, held, own_unit, score};
 pub(crate) use units::same_letters;
 pub(crate) use whole::{either, is_unclear, no_encoder};
-use words::{COUNTED, words};
+use words::{COUNTED, OF_STEPS, words};
 
 mod clock;
 mod joints;
@@ -100,6 +100,17 @@ impl Unreadable {
     }
 }
 
+/// Whether a column is nothing of a kind, by the unit in its name; or no position, as its steps rise from row to row or are of
+/// a time, and may be those of a program.
+fn is_none_of(kind: Kind, heading: &Heading, column: usize, preview: &Preview) -> bool {
+    let words = words(&heading.name);
+    let has_step = words.iter().any(|word| OF_STEPS.contains(&word.as_str()));
+    let is_of_time = preview.increases(column) || words.iter().any(|it| Kind::Time.is_named(it));
+    let has_unit = split(&heading.name).is_ok_and(|split| split.unit.is_some());
+    let may_number_rows = kind == Kind::Position && has_step && is_of_time && !has_unit;
+    may_number_rows || units::is_of_another(kind, &heading.name)
+}
+
 /// Whether the name of a column gives a unit of force, wherever it stands.
 fn has_force(heading: &Heading) -> bool {
     let unit = split(&heading.name).ok().and_then(|split| split.unit);
@@ -128,7 +139,7 @@ pub(crate) fn unreadable(
             if kind == Kind::Time && is_counter(headings, preview, column) {
                 score = LIKELY;
             }
-            if units::is_of_another(kind, &heading.name) {
+            if is_none_of(kind, heading, column, preview) {
                 return None;
             }
             let why = held(kind, headings, column, preview, scene).err()?;

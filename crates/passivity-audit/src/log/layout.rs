@@ -127,7 +127,7 @@ impl Layout {
                         false if is_there => {
                             "; `--columns` can say what it has, or name another position".to_owned()
                         }
-                        false => unknown_position(&known, (&headings, preview), scene),
+                        false => unknown_position(&known, &headings, scene),
                     };
                     return Err(error);
                 }

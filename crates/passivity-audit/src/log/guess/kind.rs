@@ -3,7 +3,7 @@
 use passivity_scene::Motion;
 use passivity_scene::units::Dimension;
 
-use super::words::OF_FORCE;
+use super::words::{OF_DEVICE, OF_FORCE};
 use crate::log::columns::Role;
 
 /// What a column may be about.
@@ -93,6 +93,9 @@ impl Kind {
                 "inkrement",
                 "inkremente",
                 "pulse",
+                "step",
+                "schritt",
+                "schritte",
             ],
             Self::Force => &[
                 "f",
@@ -143,7 +146,7 @@ impl Kind {
         }
     }
 
-    /// Whether a word names it, alone or as part of a longer one: `walltime`, `Motorkraft`, `Fcmd`.
+    /// Whether a word names it, alone or as part of a longer one: `walltime`, `Motorwinkel`, `Motorkraft`, `Fcmd`.
     pub(super) fn is_named(self, word: &str) -> bool {
         let has = |parts: &[&str]| {
             let is_part = |part: &&str| word.starts_with(part) || word.ends_with(part);
@@ -186,7 +189,11 @@ impl Kind {
                             "토크",
                         ]) || behind.is_some_and(|rest| OF_FORCE.contains(&rest)))
                 }
-                Self::Position | Self::Velocity => false,
+                Self::Position => ["position", "winkel", "angle"].iter().any(|end| {
+                    word.strip_suffix(end)
+                        .is_some_and(|before| OF_DEVICE.contains(&before))
+                }),
+                Self::Velocity => false,
             }
     }
 

@@ -9,7 +9,7 @@ use super::kind::Kind;
 use super::words::{
     HELD, MEASURED, NO_FORCE, NO_POSITION, NO_TIME, NOT_MEASURED, PERHAPS_WANTED, words,
 };
-use super::{LIKELY, has_force, is_counted, side, units, whole};
+use super::{LIKELY, has_force, is_counted, is_none_of, side, units, whole};
 use crate::log::error::shown;
 use crate::log::header::{Heading, is_unit_of_force, read_unit, read_unit_of_force, split};
 use crate::log::preview::Preview;
@@ -146,7 +146,7 @@ pub(super) fn score(
     scene: &Scene,
 ) -> Option<i32> {
     let heading = headings.get(column)?;
-    if units::is_of_another(kind, &heading.name) {
+    if is_none_of(kind, heading, column, preview) {
         return None;
     }
     let mut score = held(kind, headings, column, preview, scene).ok()?;

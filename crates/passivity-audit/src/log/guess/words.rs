@@ -179,8 +179,14 @@ pub(super) const OF_FORCE: [&str; 9] = [
     "cmd", "command", "motor", "mot", "applied", "tot", "total", "out", "act",
 ];
 
+/// What stands in one word before a position that was measured, as in `Motorwinkel` and `motorposition`.
+pub(super) const OF_DEVICE: [&str; 20] = [
+    "motor", "rotor", "servo", "dreh", "geber", "encoder", "ist", "achs", "achsen", "gelenk",
+    "wellen", "knopf", "joint", "knob", "handle", "shaft", "axis", "wheel", "device", "actual",
+];
+
 /// What a count is called, as a word of a name or as a unit.
-pub(super) const COUNTED: [&str; 10] = [
+pub(super) const COUNTED: [&str; 13] = [
     "count",
     "tick",
     "cnt",
@@ -191,7 +197,13 @@ pub(super) const COUNTED: [&str; 10] = [
     "inkrement",
     "inkremente",
     "pulse",
+    "step",
+    "schritt",
+    "schritte",
 ];
+
+/// Those of them that number the rows of a log, too.
+pub(super) const OF_STEPS: [&str; 3] = ["step", "schritt", "schritte"];
 
 /// What counts sampling periods, and what counts ticks of a clock, whose length it does not say.
 pub(super) const OF_PERIODS: [&str; 5] = ["sample", "seq", "sequence", "iteration", "iter"];

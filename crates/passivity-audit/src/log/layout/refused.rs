@@ -97,37 +97,37 @@ pub(super) fn not_read(
     header(said.join("; "))
 }
 
-/// What is said where no column is known to be the position: with the first of the others, as it can be typed.
-pub(super) fn unknown_position(
-    known: &[Found],
-    (headings, preview): (&[Heading], &Preview),
-    scene: &Scene,
-) -> String {
-    let is_free = |column: &usize| {
-        known.iter().all(|found| found.column != *column) && preview.no_number(*column).is_none()
+/// What is said where no column is known to be the position: the others as they can be typed, with a name in the place of
+/// its column that the header does not have. None is filled in, for it may be anything, and would be read.
+pub(super) fn unknown_position(known: &[Found], headings: &[Heading], scene: &Scene) -> String {
+    const NAME: &str = "NAME";
+    const UNIT: &str = "UNIT";
+    let role = match scene.motion {
+        _ if scene.given.has_encoder() => Role::Count,
+        Motion::Dimensionless => Role::Xi,
+        _ => Role::X,
     };
-    let free = (0..headings.len()).filter(is_free);
-    let mut found = free.map(|column| {
-        let role = match scene.motion {
-            _ if scene.given.has_encoder() && preview.is_whole(column) => Role::Count,
-            Motion::Dimensionless => Role::Xi,
-            _ => Role::X,
-        };
-        let found = Found {
-            role,
-            column,
-            unit: None,
-            reversed: false,
-        };
-        guess::with_unit(&found, headings, preview, scene)
-    });
-    let is_of_device = |found: &Found| !guess::is_at_motor(found, headings, preview, scene);
-    let example = found.find(is_of_device).and_then(|found| {
-        let all: Vec<Found> = known.iter().cloned().chain([found]).collect();
-        guess::propose(&all, headings)
-    });
-    let example = example.map_or_else(String::new, |proposal| {
-        format!(", as in `--columns {}`", shell_word(&proposal.columns))
+    let is_taken = headings.iter().any(|it| it.name.contains(NAME));
+    let named = headings
+        .iter()
+        .cloned()
+        .chain([Heading::plain(NAME.to_owned())]);
+    let position = Found {
+        role,
+        column: headings.len(),
+        unit: (role == Role::X).then(|| UNIT.to_owned()),
+        reversed: false,
+    };
+    let all: Vec<Found> = known.iter().cloned().chain([position]).collect();
+    let proposal = guess::propose(&all, &named.collect::<Vec<_>>()).filter(|_| !is_taken);
+    let or_unit = match role {
+        Role::Count => format!(", or `x={NAME} [{UNIT}]` with its unit where it has no counts"),
+        Role::X => format!(", and its unit in place of `{UNIT}`"),
+        _ => String::new(),
+    };
+    let example = proposal.map_or_else(String::new, |proposal| {
+        let columns = shell_word(&proposal.columns);
+        format!(", as in `--columns {columns}` with the name of its column in place of `{NAME}`{or_unit}")
     });
     format!("; and no column is known to be the position: `--columns` names it{example}")
 }

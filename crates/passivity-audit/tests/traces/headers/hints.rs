@@ -14,25 +14,118 @@ fn columns_that_leave_the_position_out_are_said_to_and_completed() {
 }
 
 #[test]
-fn a_position_of_another_name_is_shown_as_it_is_typed() {
-    for (log, example) in [
+fn where_no_column_is_known_to_be_the_position_none_is_filled_in() {
+    // What is there may be the number of a row, a temperature, a state, or the position.
+    for (header, row, others) in [
         (
-            "Zeit [s],Foo\n0,1\n0.001,2\n",
-            "`--columns 't=Zeit [s], count=Foo'`",
+            ",Zeit [us],Moment [N]",
+            "0.5,ROW000,0.1",
+            ["t=Zeit [us], ", ", f=Moment [N]"],
         ),
         (
-            "Zeit [s],Foo\n0,1\n0.001,2.5\n",
-            "`--columns 't=Zeit [s], x=Foo [m]'`",
+            "Unnamed: 0,Zeit [us],Kraft [mN]",
+            "ROW,ROW000,0.1",
+            ["t=Zeit [us], ", ", f=Kraft [mN]"],
         ),
+        ("temp_C,Zeit [us]", "25.ROW,ROW000", ["t=Zeit [us], ", ""]),
+        (
+            "state,Zeit [us],Kraft [N]",
+            "1,ROW000,0.1",
+            ["t=Zeit [us], ", ", f=Kraft [N]"],
+        ),
+        ("Zeit [us],Foo", "ROW000,ROW.5", ["t=Zeit [us], ", ""]),
     ] {
-        let error = refused(log, None);
-        assert!(error.message.ends_with(example), "{error}");
-        let error = refused(&log.replace(',', ";").replace('.', ","), None);
-        let options = "(`--delimiter ';' --decimal-comma` says so)";
+        let rows: String = (0..9)
+            .map(|i| row.replace("ROW", &i.to_string()) + "\n")
+            .collect();
+        let log = format!("{header}\n{rows}");
+        let columns = others.join("count=NAME");
+        let says = format!(
+            "`--columns` names it, as in `--columns '{columns}'` with the name of its column in place of `NAME`, or \
+             `x=NAME [UNIT]` with its unit where it has no counts"
+        );
+        let error = refused(&log, None);
+        assert!(error.message.ends_with(&says), "{error}");
+        assert_eq!(error.proposal, None, "{error}");
+        // Typed as it stands it is an error, and so it is with its unit.
+        let there_is_none = refused(&log, Some(&columns));
+        assert_eq!(there_is_none.kind, "no_column", "{there_is_none}");
+        let there_is_none = refused(&log, Some(&others.join("x=NAME [UNIT]")));
+        assert_eq!(there_is_none.kind, "no_column", "{there_is_none}");
+        let swapped = log.replace(',', ";").replace('.', ",");
+        let options = "(`--delimiter ';'";
+        let error = refused(&swapped, None);
         assert!(
-            error.message.contains(options) && error.message.ends_with(example),
+            error.message.contains(options) && error.message.ends_with(&says),
             "{error}"
         );
+        // A column of that name would be read.
+        let error = refused(
+            &log.replacen(
+                header,
+                &header.replace("Foo", "NAME").replace("state", "NAME"),
+                1,
+            ),
+            None,
+        );
+        assert!(
+            error.message.ends_with(&says) != (header.contains("Foo") || header.contains("state")),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn steps_are_counts_unless_they_may_number_the_rows() {
+    for name in [
+        "step",
+        "steps",
+        "Schritte",
+        "motor_steps",
+        "Motorschritte [step]",
+    ] {
+        let log = |counts: [i32; 3]| {
+            let rows = (0..).zip(counts).map(|(i, n)| format!("{i},{n},0.1\n"));
+            format!("t [ms],{name},f [N]\n{}", rows.collect::<String>())
+        };
+        let named = proposed(&log([4, 5, 3]), None);
+        let known = named == format!("t=t [ms], count={name}, f=f [N]");
+        assert!(known, "{name}: {named}");
+        let rising = refused(&log([4, 5, 6]), None);
+        let is_open = rising.proposal.is_none();
+        assert_eq!(is_open, !name.contains('['), "{rising}");
+    }
+    let of_time = "t [ms],time_step,f [N]\n0,4,0\n1,3,0\n2,5,0\n";
+    assert_eq!(proposed(of_time, None), "");
+}
+
+#[test]
+fn positions_are_known_by_words_of_two() {
+    for name in [
+        "Motorwinkel",
+        "motorposition",
+        "Istposition",
+        "Drehwinkel",
+        "handleangle",
+    ] {
+        let log = format!("t [ms],{name},f [N]\n0,0.5,0.1\n1,0.25,0.1\n");
+        assert_eq!(
+            proposed(&log, None),
+            format!("t=t [ms], x={name} [m], f=f [N]")
+        );
+    }
+    for name in [
+        "Sollwinkel",
+        "triangle",
+        "Wandposition",
+        "setposition",
+        "composition",
+    ] {
+        let log = format!("t [ms],{name},f [N]\n0,0.5,0.1\n1,0.25,0.1\n");
+        let error = audited(&log, None)
+            .err()
+            .or_else(|| audited(&log, None).unwrap().error().cloned());
+        assert_eq!(error.unwrap().proposal, None, "{name}");
     }
 }
 
