@@ -346,7 +346,8 @@ fn bad_input_is_refused_with_its_place() {
         "h.csv",
         "Zeit,Winkel\n0,0.1\n0.001,0.2\n0.002,0.4\n",
         &sketch,
-        "`--columns 't=Zeit [s], x=Winkel [rad], f=NAME [N m]'`\n",
+        "`--columns 't=Zeit [s], x=Winkel [rad], f=NAME [N m]'`, or `--columns 't=Zeit [s], x=Winkel [deg], \
+         f=NAME [N m]'` where positions are in deg\n",
     );
     refused(
         "q.csv",

@@ -61,7 +61,12 @@ fn shown(run: &Run) -> String {
     assert_eq!(run.code, 2, "{}", run.stdout);
     assert_eq!(run.stderr.lines().count(), 1, "{}", run.stderr);
     match run.stderr.trim_end().split_once(" run: passivity ") {
-        Some((_, command)) => command.to_owned(),
+        // Where positions may be in degrees, that is shown behind it.
+        Some((_, ways)) => ways
+            .split(" (or, where ")
+            .next()
+            .unwrap_or_default()
+            .to_owned(),
         None => panic!("no command in {}", run.stderr),
     }
 }

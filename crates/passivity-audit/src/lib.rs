@@ -38,10 +38,10 @@ pub use json::NumberedRow;
 pub use ledger::{Ledger, Logged, Row, Truths};
 pub use log::{
     Agreement, Audit, ByLaw, Certificate, Columns, Dialect, Drawn, Finding, Firsts, Fitted, Force,
-    Form, Found, Judged, Least, MAX_SAMPLES, MAX_THREADS, Moved, Observer, Options, Partial, Point,
-    Positions, Proposal, Report, Role, Running, Sampled, Sampling, Shown, Stretch, Supplied,
-    TraceError, UnendedRow, Values, Verdict, audit, audit_arrays, audit_columns, audit_csv,
-    audit_files, audit_part, dialects, is_day, legible, merge_parts, samples,
+    Form, Found, Judged, Least, MAX_SAMPLES, MAX_THREADS, Moved, Observer, Options, Otherwise,
+    Partial, Point, Positions, Proposal, Report, Role, Running, Sampled, Sampling, Shown, Stretch,
+    Supplied, TraceError, UnendedRow, Values, Verdict, audit, audit_arrays, audit_columns,
+    audit_csv, audit_files, audit_part, dialects, is_day, legible, merge_parts, samples,
 };
 pub use number::Number;
 pub use provenance::{is_device, is_placeholder};

@@ -14,17 +14,14 @@ pub(crate) fn refusal(log: impl Display, error: &TraceError) -> Failure {
     })
 }
 
-/// The command that was typed, with everything that it says but how its logs are read: as is proposed. Where a column may be
-/// a clock or none, both ways.
+/// The command that was typed, with everything that it says but how its logs are read: as is proposed. Where the header
+/// leaves something open, such as whether a column is a clock, all ways.
 pub(crate) fn run(proposal: &Proposal) -> String {
     let run = format!("run: {}", command(proposal, &proposal.columns));
-    match &proposal.without_clock {
-        Some(columns) => format!(
-            "{run} (or, where it is no clock: {})",
-            command(proposal, columns)
-        ),
-        None => run,
-    }
+    proposal.otherwise.iter().fold(run, |run, other| {
+        let command = command(proposal, &other.columns);
+        format!("{run} (or, where {}: {command})", other.condition)
+    })
 }
 
 fn command(proposal: &Proposal, columns: &str) -> String {

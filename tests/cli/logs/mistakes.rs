@@ -32,7 +32,8 @@ fn columns_that_cannot_be_read_are_said_and_no_column_is_silently_left_out() {
         (
             "t [s],x",
             "0,0",
-            "did you mean t=t [s], x=x [rad]? (units that the header does not give are assumed: x in rad)",
+            "did you mean t=t [s], x=x [rad], or t=t [s], x=x [deg] where positions are in deg? (units that the header does \
+             not give are assumed: x in rad)",
         ),
         (
             "t [s],x [rad],torque [N m]",

@@ -302,8 +302,19 @@ fn scaled(scale: f64, scene: &Scene) -> String {
         [] => String::new(),
         all => format!(", and {} as many times as large", all.join(" and ")),
     };
+    // As of positions that were logged in one unit and read in another.
+    let factors: &[(f64, &str)] = match scene.motion {
+        Motion::Linear => &[(1e3, "m and mm"), (1e2, "m and cm")],
+        _ => &[(180.0 / std::f64::consts::PI, "rad and deg")],
+    };
+    let is_near = |factor: f64| (scale.abs().ln().abs() - factor.ln()).abs() < ROUGH;
+    let positions = factors.iter().find(|(factor, _)| is_near(*factor));
+    let positions = positions.map_or_else(String::new, |(_, units)| {
+        format!(" of the positions, as the factor is that between {units}, or")
+    });
     format!(
-        "in the scene, under [wall]: stiffness = \"{stiffness} {unit}\"{others}; or correct the unit of the force{motor}"
+        "in the scene, under [wall]: stiffness = \"{stiffness} {unit}\"{others}; or correct the unit{positions} of the \
+         force{motor}"
     )
 }
 

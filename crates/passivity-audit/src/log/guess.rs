@@ -11,12 +11,12 @@ use crate::log::preview::Preview;
 use clock::{Counter, Parts, counter, parts_of_time, unit_of_time};
 pub(crate) use joints::others;
 use kind::Kind;
-pub use proposal::Proposal;
 pub(crate) use proposal::propose;
+pub use proposal::{Otherwise, Proposal};
 pub(crate) use rising::only_rises;
 use score::{called, held, own_unit, score};
 pub(crate) use units::same_letters;
-pub(crate) use whole::{either, is_unclear, no_encoder};
+pub(crate) use whole::{either, has_no_unit, is_unclear, no_encoder, units_of_motion};
 use words::{COUNTED, OF_STEPS, words};
 
 mod clock;

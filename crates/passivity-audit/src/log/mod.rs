@@ -72,7 +72,7 @@ pub use columns::{Columns, Role};
 pub use dates::is_day;
 pub use error::{TraceError, legible};
 pub use findings::Finding;
-pub use guess::Proposal;
+pub use guess::{Otherwise, Proposal};
 pub use layout::Form;
 pub use outcome::Audit;
 pub use partial::{Partial, audit_part, merge_parts};

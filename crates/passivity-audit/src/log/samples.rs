@@ -6,6 +6,7 @@ use passivity_scene::{Motion, Scene};
 
 use crate::log::chunk::Chunk;
 use crate::log::error::TraceError;
+use crate::log::guess::Otherwise;
 use crate::log::layout::Layout;
 use crate::log::lines::BLOCK;
 use crate::log::parsed;
@@ -87,15 +88,19 @@ pub fn samples(path: &Path, scene: &Scene, dialect: &Dialect) -> Result<Sampled,
     }
 }
 
-/// That a force is needed, with the columns to which it is to be added.
-fn wanted(found: &str, columns: Option<String>, scene: &Scene) -> String {
+/// Columns, and a force without its name.
+fn with_name(columns: Option<String>, scene: &Scene) -> String {
     let force = match scene.motion {
         Motion::Dimensionless => "f=NAME",
         Motion::Linear => "f=NAME [N]",
         Motion::Rotary => "f=NAME [N m]",
     };
-    let all = columns.map_or_else(|| force.to_owned(), |columns| format!("{columns}, {force}"));
-    let all = shell_word(&all);
+    columns.map_or_else(|| force.to_owned(), |columns| format!("{columns}, {force}"))
+}
+
+/// That a force is needed, with the columns to which it is to be added.
+fn wanted(found: &str, columns: Option<String>, scene: &Scene) -> String {
+    let all = shell_word(&with_name(columns, scene));
     format!(
         "the force that was commanded is needed, {found}: name its column, as in `--columns {all}`"
     )
@@ -104,8 +109,15 @@ fn wanted(found: &str, columns: Option<String>, scene: &Scene) -> String {
 /// The error of a header; what it may mean is no proposal where that leaves out the force.
 fn with_force(mut error: TraceError, scene: &Scene) -> TraceError {
     if let Some(proposal) = error.proposal.take_if(|proposal| !proposal.has_force) {
-        let columns = Some(proposal.columns);
-        let wanted = wanted("and no column looks like one", columns, scene);
+        let mut wanted = wanted(
+            "and no column looks like one",
+            Some(proposal.columns),
+            scene,
+        );
+        for Otherwise { condition, columns } in proposal.otherwise {
+            let columns = shell_word(&with_name(Some(columns), scene));
+            wanted.push_str(&format!(", or `--columns {columns}` where {condition}"));
+        }
         let apart = with_options(proposal.delimiter, proposal.decimal_comma);
         error.message = format!("{}; {wanted}{apart}", error.message);
     }

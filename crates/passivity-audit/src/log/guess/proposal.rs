@@ -20,9 +20,9 @@ pub struct Proposal {
     /// Columns that may be the position or the force as well, as those of other joints.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub others: Vec<String>,
-    /// For `--columns`, where the clock among them is none: it is one only by its rise from row to row.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub without_clock: Option<String>,
+    /// Other ways to read them, which the header leaves open as well.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub otherwise: Vec<Otherwise>,
     /// Whether one of them is the force.
     #[serde(skip)]
     pub(crate) has_force: bool,
@@ -31,11 +31,21 @@ pub struct Proposal {
     pub(crate) said: usize,
 }
 
+/// Another way to read the columns of a header, as `passivity audit` takes it.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct Otherwise {
+    /// Where it is meant: where the clock is none, as it is one only by its rise from row to row, or where positions without
+    /// a unit are in another one than is assumed.
+    pub condition: String,
+    /// For `--columns`.
+    pub columns: String,
+}
+
 impl fmt::Display for Proposal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "did you mean {}", self.columns)?;
-        if let Some(columns) = &self.without_clock {
-            write!(f, ", or {columns} where it is no clock")?;
+        for Otherwise { condition, columns } in &self.otherwise {
+            write!(f, ", or {columns} where {condition}")?;
         }
         f.write_str("?")?;
         if !self.assumed.is_empty() {
@@ -103,6 +113,6 @@ pub(crate) fn propose(found: &[Found], headings: &[Heading]) -> Option<Proposal>
         decimal_comma: false,
         assumed,
         others: Vec::new(),
-        without_clock: None,
+        otherwise: Vec::new(),
     })
 }

@@ -68,33 +68,54 @@ pub(super) fn counts(
     }
 }
 
-/// Columns with a position that may be counts or have a unit: both ways to name it, as they can be typed.
+/// Units in which positions are logged, each with that of velocities: first those that are assumed where the header gives none.
+pub(crate) const fn units_of_motion(motion: Motion) -> [[&'static str; 2]; 2] {
+    match motion {
+        Motion::Linear => [["m", "m/s"], ["mm", "mm/s"]],
+        _ => [["rad", "rad/s"], ["deg", "deg/s"]],
+    }
+}
+
+/// Whether the name of a column gives no unit of what is read from it.
+pub(crate) fn has_no_unit(found: &Found, headings: &[Heading], scene: &Scene) -> bool {
+    let kind = Kind::of(found.role);
+    headings.get(found.column).is_some_and(|heading| {
+        own_unit(kind, heading, scene.motion).is_none()
+            && units::said(kind, &heading.name, scene.motion) == Ok(None)
+    })
+}
+
+/// Columns with a position that may be counts or have a unit: all ways to name it, as they can be typed.
 pub(crate) fn either(
     column: usize,
     (known, headings, preview): (&[Found], &[Heading], &Preview),
     scene: &Scene,
-) -> Option<[String; 2]> {
+) -> Option<String> {
     let heading = headings.get(column)?;
-    let has_none = own_unit(Kind::Position, heading, scene.motion).is_none()
-        && units::said(Kind::Position, &heading.name, scene.motion) == Ok(None);
+    let found = |role, unit: Option<&str>| Found {
+        role,
+        column,
+        unit: unit.map(str::to_owned),
+        reversed: false,
+    };
+    let has_none = has_no_unit(&found(Role::X, None), headings, scene);
     let is_open = scene.given.has_encoder() && has_none && preview.is_whole(column);
     // In a unit it would be one of a motor, and no position of the device.
     let is_at_motor = side::is_at_motor(Kind::Position, heading, scene);
     if !is_open || is_at_motor || scene.motion == Motion::Dimensionless {
         return None;
     }
-    let unit = Some(Kind::Position.unit(scene.motion).to_owned());
-    let with = |role, unit| {
-        let found = Found {
-            role,
-            column,
-            unit,
-            reversed: false,
-        };
+    let typed = |found| {
         let all: Vec<Found> = known.iter().cloned().chain([found]).collect();
         propose(&all, headings).map(|proposal| shell_word(&proposal.columns))
     };
-    Some([with(Role::Count, None)?, with(Role::X, unit)?])
+    let counts = typed(found(Role::Count, None))?;
+    let [first, second] =
+        units_of_motion(scene.motion).map(|[unit, _]| typed(found(Role::X, Some(unit))));
+    Some(format!(
+        "`--columns {counts}`, `--columns {}` or, say, `--columns {}`",
+        first?, second?
+    ))
 }
 
 /// Whether a name says that a column is the position, but not whether it has counts that can be read.

@@ -5,7 +5,7 @@ use passivity_scene::{Motion, Scene};
 use super::{Layout, header};
 use crate::log::columns::{Columns, Found, Role};
 use crate::log::error::{TraceError, shown};
-use crate::log::guess::{self, Unreadable};
+use crate::log::guess::{self, Otherwise, Unreadable};
 use crate::log::header::Heading;
 use crate::log::preview::Preview;
 use crate::log::scale::force_scale;
@@ -71,9 +71,7 @@ pub(super) fn not_read(
             _ if unreadable.is_force() => return force(unreadable.column, &unreadable.why),
             _ if unreadable.is_position() => {
                 let either = guess::either(unreadable.column, (&read, headings, preview), scene);
-                let either = either.map_or_else(String::new, |[counts, unit]| {
-                    format!(": `--columns {counts}` or, say, `--columns {unit}`")
-                });
+                let either = either.map_or_else(String::new, |ways| format!(": {ways}"));
                 return format!("the column {} cannot be read: {}{either}", name(unreadable.column), unreadable.why);
             }
             _ if !unreadable.is_clock() => "name the others to leave it out",
@@ -165,9 +163,6 @@ pub(super) fn proposal(
     let is_sure =
         |found: &&Found| is_said(found) || !guess::only_rises(headings, preview, scene, found);
     let sure: Vec<Found> = all.iter().filter(is_sure).cloned().collect();
-    if sure.len() < all.len() {
-        proposal.without_clock = Some(guess::propose(&sure, headings)?.columns);
-    }
     proposal.others = guess::others(headings, preview, scene, (said, &all));
     let told = said.iter().filter_map(|found| {
         let unit = found.unit.as_ref()?;
@@ -176,8 +171,61 @@ pub(super) fn proposal(
     let told: Vec<String> = told.collect();
     proposal.assumed.retain(|assumed| !told.contains(assumed));
     // What is offered must be read when it is typed.
-    let columns: Columns = proposal.columns.parse().ok()?;
-    let found = columns.find(headings).ok()?;
-    Layout::of(&found, headings, scene).ok()?;
+    let is_read = |columns: &str| {
+        let found = columns.parse().and_then(|it: Columns| it.find(headings));
+        found.is_ok_and(|found| Layout::of(&found, headings, scene).is_ok())
+    };
+    if !is_read(&proposal.columns) {
+        return None;
+    }
+    let is_assumed = |found: &Found| {
+        let is_typed = said
+            .iter()
+            .any(|it| it.column == found.column && it.unit.is_some());
+        !is_typed && guess::has_no_unit(found, headings, scene)
+    };
+    let [_, [of_positions, of_velocities]] = guess::units_of_motion(scene.motion);
+    let in_other_unit = |found: &Found| {
+        let unit = match found.role {
+            Role::X => of_positions,
+            Role::V => of_velocities,
+            _ => return found.clone(),
+        };
+        let unit = match is_assumed(found) {
+            true => Some(unit.to_owned()),
+            false => found.unit.clone(),
+        };
+        Found {
+            unit,
+            ..found.clone()
+        }
+    };
+    let way = |found: &[Found], condition: String| {
+        let columns = guess::propose(found, headings)?.columns;
+        is_read(&columns).then_some(Otherwise { condition, columns })
+    };
+    let no_clock = (sure.len() < all.len()).then_some("it is no clock");
+    if let Some(condition) = no_clock {
+        proposal.otherwise.push(way(&sure, condition.to_owned())?);
+    }
+    if all
+        .iter()
+        .any(|found| found.role == Role::X && is_assumed(found))
+    {
+        let in_unit = format!("positions are in {of_positions}");
+        let converted =
+            |found: &[Found]| -> Vec<Found> { found.iter().map(in_other_unit).collect() };
+        let other = way(&converted(&all), in_unit.clone());
+        // Without an encoder angles are read only in radians.
+        if other.is_none() {
+            proposal.assumed.push(format!(
+                "positions in {of_positions} are to be converted first"
+            ));
+        }
+        proposal.otherwise.extend(other);
+        let both = no_clock
+            .and_then(|no_clock| way(&converted(&sure), format!("{no_clock} and {in_unit}")));
+        proposal.otherwise.extend(both);
+    }
     Some(Box::new(proposal))
 }

@@ -39,7 +39,13 @@ fn a_clock_of_any_name_is_not_passed_over() {
             let proposal = error.proposal.unwrap();
             assert_eq!(proposal.columns, format!("t={typed} [{unit}], count=count"));
             assert_eq!(proposal.assumed, [format!("t in {unit}")]);
-            assert_eq!(proposal.without_clock.as_deref(), Some("count=count"));
+            let [other] = &proposal.otherwise[..] else {
+                panic!("{log}");
+            };
+            assert_eq!(
+                (&*other.columns, &*other.condition),
+                ("count=count", "it is no clock")
+            );
             assert!(missed(&audited(&log, Some(&proposal.columns)).unwrap()).is_some());
             // Who leaves it out has said so.
             assert_eq!(missed(&audited(&log, Some("count=count")).unwrap()), None);
@@ -53,7 +59,7 @@ fn a_clock_of_any_name_is_not_passed_over() {
         "t=Sekunden [s], x=pos [mm]"
     );
     let told = refused(&log, Some("t=Sekunden [s], x=posi [mm]"));
-    assert_eq!(told.proposal.unwrap().without_clock, None);
+    assert_eq!(told.proposal.unwrap().otherwise, []);
     let error = refused(&log, None).to_string();
     assert!(
         error

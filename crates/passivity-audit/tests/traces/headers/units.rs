@@ -251,3 +251,78 @@ fn units_are_not_made_of_the_letters_of_others() {
         assert!(why.contains("`rev` may be its unit"), "{name}: {why}");
     }
 }
+
+#[test]
+fn positions_without_a_unit_are_proposed_in_both_that_are_usual() {
+    let log = "t [ms],Winkel,speed,f [N m]\n0,0.5,0.1,0.1\n1,0.7,0.1,-0.1\n2,0.9,0.1,-0.2\n";
+    let columns = |x, v| format!("t=t [ms], x=Winkel [{x}], v=speed [{v}], f=f [N m]");
+    let error = audited_on(&rotary(), log, None).unwrap_err();
+    let says = format!(
+        "did you mean {}, or {} where positions are in deg? (units that the header does not give are assumed: x in rad",
+        columns("rad", "rad/s"),
+        columns("deg", "deg/s")
+    );
+    assert!(error.to_string().contains(&says), "{error}");
+    let proposal = error.proposal.unwrap();
+    for columns in [&proposal.columns, &proposal.otherwise[0].columns] {
+        assert!(audited_on(&rotary(), log, Some(columns)).is_ok());
+    }
+    // What the name or the typed columns say is not in question.
+    for (name, told, unit) in [
+        ("Winkel_deg", None, ""),
+        ("Winkel", Some("x=Winke [rad]"), " [rad]"),
+    ] {
+        let log = log.replace("Winkel", name);
+        let error = audited_on(&rotary(), &log, told).unwrap_err();
+        let proposal = error.proposal.unwrap();
+        assert!(
+            proposal.columns.contains(&format!("x={name}{unit}, ")),
+            "{}",
+            proposal.columns
+        );
+        assert_eq!(proposal.otherwise, []);
+    }
+    let linear = refused(&log.replace("N m", "N"), None).proposal.unwrap();
+    assert!(linear.columns.contains("x=Winkel [m], v=speed [m/s]"));
+    assert!(
+        linear.otherwise[0]
+            .columns
+            .contains("x=Winkel [mm], v=speed [mm/s]")
+    );
+    // Without an encoder degrees cannot be read.
+    let text = "[device]\nviscous = \"9e-4 N m s/rad\"\n[sampling]\nperiod = \"1 ms\"\n[wall]\nstiffness = \"1 N m/rad\"";
+    let smooth = passivity_scene::Scene::from_toml("smooth", text).unwrap();
+    let error = audited_on(&smooth, log, None).unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .contains("positions in deg are to be converted first"),
+        "{error}"
+    );
+    assert_eq!(error.proposal.unwrap().otherwise, []);
+}
+
+#[test]
+fn forces_off_by_the_factor_of_two_units_of_positions_name_these() {
+    // A spring of 1 N m/rad, and angles in degrees that are read as radians.
+    let law = |i: i32| {
+        (
+            f64::from(i % 40 - 20) * 0.5,
+            -f64::from(i % 40 - 20) * 0.5_f64.to_radians(),
+        )
+    };
+    let rows: String = (0..400)
+        .map(law)
+        .map(|(x, f)| format!("{x},{f}\n"))
+        .collect();
+    for (unit, is_said) in [("rad", true), ("deg", false)] {
+        let audit = audited_on(&rotary(), &format!("x [{unit}],f [N m]\n{rows}"), None).unwrap();
+        let says = "or correct the unit of the positions, as the factor is that between rad and deg, or of the force";
+        let text = audit
+            .to_text()
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ");
+        assert_eq!(text.contains(says), is_said, "{}", audit.to_text());
+    }
+}

@@ -139,7 +139,7 @@ fn a_position_that_rests_at_first_is_known_by_what_it_does_later() {
     // Where it never moves both ways to read it are said, and can be typed.
     let error = refused(&after(25, &[]), None);
     assert_eq!(error.proposal, None);
-    for columns in ["count=pos", "x=pos [m]"] {
+    for columns in ["count=pos", "x=pos [m]", "x=pos [mm]"] {
         let columns = format!("t=time [ms], {columns}, f=effort [N]");
         let says = format!("`--columns '{columns}'`");
         assert!(error.message.contains(&says), "{error}");
