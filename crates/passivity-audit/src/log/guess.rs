@@ -105,7 +105,8 @@ impl Unreadable {
 fn is_none_of(kind: Kind, heading: &Heading, column: usize, preview: &Preview) -> bool {
     let words = words(&heading.name);
     let has_step = words.iter().any(|word| OF_STEPS.contains(&word.as_str()));
-    let is_of_time = preview.increases(column) || words.iter().any(|it| Kind::Time.is_named(it));
+    let numbers_rows = preview.increases(column) && preview.first(column) >= Some(0.0);
+    let is_of_time = numbers_rows || words.iter().any(|it| Kind::Time.is_named(it));
     let has_unit = split(&heading.name).is_ok_and(|split| split.unit.is_some());
     let may_number_rows = kind == Kind::Position && has_step && is_of_time && !has_unit;
     may_number_rows || units::is_of_another(kind, &heading.name)

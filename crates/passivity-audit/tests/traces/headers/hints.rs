@@ -95,6 +95,9 @@ fn steps_are_counts_unless_they_may_number_the_rows() {
         let is_open = rising.proposal.is_none();
         assert_eq!(is_open, !name.contains('['), "{rising}");
     }
+    // No row has a number below zero.
+    let below = "t [ms],Schritte,f [N]\n0,-7,0\n1,-5,0\n2,-4,0\n";
+    assert_eq!(proposed(below, None), "t=t [ms], count=Schritte, f=f [N]");
     let of_time = "t [ms],time_step,f [N]\n0,4,0\n1,3,0\n2,5,0\n";
     assert_eq!(proposed(of_time, None), "");
 }
