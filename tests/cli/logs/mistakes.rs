@@ -53,7 +53,7 @@ fn columns_that_cannot_be_read_are_said_and_no_column_is_silently_left_out() {
         (
             "time,x [rad]",
             "2026-11-27,0",
-            "the column `time` cannot be read (row 1 has no number there): write its times as numbers",
+            "the column `time` cannot be read (row 1 has no number there but `2026-11-27`): write its times as numbers",
         ),
         (
             "t [s],x [rad],f",

@@ -125,7 +125,8 @@ impl Layout {
                     error.message += &match known.iter().any(Found::is_position) {
                         true => String::new(),
                         false if is_there => {
-                            "; `--columns` can say what it has, or name another position".to_owned()
+                            "; if this is not the position, `--columns` names the column that is"
+                                .to_owned()
                         }
                         false => unknown_position(&known, &headings, scene),
                     };

@@ -1,10 +1,14 @@
 //! The first rows of a log, by which its header is judged.
 
+use crate::log::error::shown;
+
 /// The first rows of a log, as numbers near by.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Preview {
     /// The first fields of each column; `None` where a field is no number.
     pub(crate) columns: Vec<Vec<Option<f64>>>,
+    /// The text of the first field of each column that is no number, where the log is of text.
+    pub(crate) texts: Vec<Option<String>>,
     /// Which group each column is of; all are of one where it is not said.
     pub(crate) groups: Vec<usize>,
     /// The columns of durations or times of day that rise from row to row.
@@ -25,6 +29,7 @@ impl Preview {
         let column = |column| rows.iter().map(|row| field(row, column)).collect();
         Self {
             columns: (0..width).map(column).collect(),
+            texts: Vec::new(),
             groups: Vec::new(),
             lasting: Vec::new(),
             later: Vec::new(),
@@ -65,6 +70,31 @@ impl Preview {
             Some(fields) => fields.iter().position(Option::is_none),
             None => (!self.columns.is_empty()).then_some(0),
         }
+    }
+
+    /// That a column has no number in a row, with what stands there, and what is to be done about it where that is known.
+    pub(crate) fn without_number(&self, column: usize) -> Option<String> {
+        let row = self.no_number(column)? + 1;
+        let text = self.texts.get(column).and_then(Option::as_deref);
+        let Some(text) = text.filter(|text| !text.is_empty()) else {
+            return Some(format!("row {row} has no number there"));
+        };
+        let behind = text.split_once(' ').filter(|(number, unit)| {
+            number.parse::<f64>().is_ok() && unit.chars().all(char::is_alphabetic)
+        });
+        let remedy = match behind {
+            Some((_, unit)) => format!(
+                ", with a unit that belongs into the name of the column: take it away, as with `sed 's/ {unit}//'`"
+            ),
+            None if text.starts_with('[') => ", a list: where each has one number, take the brackets away behind the first line, as \
+                                              with `sed '1!s/[][]//g'`"
+                .to_owned(),
+            None => String::new(),
+        };
+        let text = shown(text.as_bytes());
+        Some(format!(
+            "row {row} has no number there but `{text}`{remedy}"
+        ))
     }
 
     /// Whether there are rows, and a column has no number in any.

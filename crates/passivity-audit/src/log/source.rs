@@ -26,6 +26,7 @@ mod compressed;
 mod dialect;
 mod several;
 mod shape;
+mod transcript;
 
 /// What one file, or memory, gives.
 pub(crate) enum Reader {

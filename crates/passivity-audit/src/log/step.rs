@@ -102,6 +102,10 @@ fn after_a_break(from: f64, to: f64) -> &'static str {
     let step = to + AROUND - from;
     let is_whole = from.fract() == 0.0 && to.fract() == 0.0;
     match from > to && to >= 0.0 {
+        _ if from == to => {
+            " (a clock that stands still between two rows is too coarse: log a finer one, such as `micros()` for `millis()`, or \
+             leave it out of `--columns`, where all rows are taken to be one sampling period apart)"
+        }
         true if is_whole && from < AROUND && step < MOST => {
             " (a clock of 32 bits goes on from 4294967295 at 0: add 4294967296 to its times from this row on)"
         }

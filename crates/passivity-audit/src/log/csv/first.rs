@@ -159,9 +159,16 @@ pub(crate) fn preview(lines: &[&[u8]], headings: &[Heading], notation: Notation)
         |row: &dyn Fn(&&[u8]) -> _| Preview::of_rows(&lines.iter().map(row).collect::<Vec<_>>());
     let lasting = of_rows(&lasting);
     let columns = 0..lasting.columns.len();
+    let rows = of_rows(&row);
+    let text = |column| {
+        let line = lines.get(rows.no_number(column)?)?;
+        let field = fields(line, notation.delimiter).nth(column)?;
+        Some(String::from_utf8_lossy(trimmed(field)).trim().to_owned())
+    };
     Preview {
+        texts: columns.clone().map(text).collect(),
         lasting: columns.filter(|column| lasting.rises(*column)).collect(),
-        ..of_rows(&row)
+        ..rows
     }
 }
 

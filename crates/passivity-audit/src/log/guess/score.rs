@@ -87,8 +87,8 @@ pub(super) fn held(
     if let Some(why) = side::not_at_device(kind, heading, column, preview, scene) {
         return Err(why);
     }
-    if let Some(row) = preview.no_number(column) {
-        return Err(format!("row {} has no number there", row + 1));
+    if let Some(why) = preview.without_number(column) {
+        return Err(why);
     }
     match (own_unit(kind, heading, scene.motion).as_deref(), kind) {
         (_, Kind::Time) if matches!(parts_of_time(headings, preview, column), Parts::More) => {

@@ -4,7 +4,7 @@ use std::io::Read;
 
 use passivity_scene::Scene;
 
-use super::shape;
+use super::{shape, transcript};
 use crate::log::columns::Columns;
 use crate::log::csv::{self, Notation};
 use crate::log::digits::Seen;
@@ -37,6 +37,9 @@ impl Dialect {
         let (line, notation) = self.names(lines)?;
         let (line, early) = (&line[..], lines.early());
         let rows: Vec<&[u8]> = early.iter().map(|(_, line)| *line).collect();
+        if let Some(message) = transcript::remedy(line, &rows) {
+            return Err(TraceError::new("format", message));
+        }
         let told = self.columns.as_ref();
         let mut layout = layout(line, &rows, notation, told, scene).map_err(|error| {
             let below = self.lines_below(line, &early, notation);

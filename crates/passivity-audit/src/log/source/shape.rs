@@ -106,26 +106,27 @@ pub(super) fn obstacle(
 
 /// What is said of rows without names, with names that they may have, written as the rows are.
 fn nameless(rows: &[&[u8]], notation: Notation, scene: &Scene) -> String {
-    let preview = csv::preview(rows, &[], notation);
-    let has_clock = preview.columns.len() > 1 && preview.increases(0);
-    let is_counted = scene.given.has_encoder() && preview.is_whole(usize::from(has_clock));
+    let width = csv::texts(rows.first().copied().unwrap_or_default(), notation).len();
+    // Nothing says which of them is which.
+    let names: Vec<String> = (1..=width).map(|n| format!("column{n}")).collect();
     let [time, position, force] = match scene.motion {
         Motion::Dimensionless => ["tau", "xi", "f"],
-        Motion::Linear => ["t [s]", "x [m]", "f [N]"],
+        Motion::Linear => ["t [s]", "x [mm]", "f [N]"],
         Motion::Rotary => ["t [s]", "x [rad]", "f [N m]"],
     };
-    let position = if is_counted { "count" } else { position };
-    let known = [time, position, force].map(str::to_owned);
-    let others = (1..).map(|n| format!("other{n}"));
-    let names = known.into_iter().skip(usize::from(!has_clock));
-    let names: Vec<String> = names.chain(others).take(preview.columns.len()).collect();
+    let count = if scene.given.has_encoder() {
+        "`count` or "
+    } else {
+        ""
+    };
     let (delimiter, tabs) = match notation.delimiter {
         b'\t' => ("\\t".to_owned(), " (each `\\t` is a tab)"),
         other => (char::from(other).to_string(), ""),
     };
     format!(
-        "the first line holds numbers, not names: write a line before it with the names of the columns and the units of their \
-         numbers, as in `{}`{tabs}, where columns that are not read may have any name, and read it{}",
+        "the first line holds numbers, not names: write a line before it with a name for each column, as `{}`{tabs}, and in place \
+         of three of these names `{time}` for the column with the times, {count}`{position}` for that with the positions and \
+         `{force}` for that with the forces, in the units of their numbers, and read it{}",
         names.join(&delimiter),
         match notation.with_options() {
             options if options.is_empty() => " again".to_owned(),

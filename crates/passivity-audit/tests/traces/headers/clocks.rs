@@ -347,7 +347,10 @@ fn no_unit_is_proposed_for_times_that_are_no_numbers() {
         ] {
             let error = refused(&counts(clock, times), None);
             assert_eq!(error.proposal, None, "{error}");
-            let says = format!("the column `{clock}` cannot be read (row 1 has no number there)");
+            let says = format!(
+                "the column `{clock}` cannot be read (row 1 has no number there but `{}`)",
+                times[0]
+            );
             assert!(error.to_string().contains(&says), "{error}");
         }
     }

@@ -93,3 +93,47 @@ fn text_in_another_encoding_is_said_to_be_converted() {
         "the header is not UTF-8 text: convert the log, as with `iconv -f WINDOWS-1252 -t UTF-8 ";
     assert!(error.contains(says), "{error}");
 }
+
+#[test]
+fn what_stands_around_numbers_is_shown_with_the_way_to_take_it_away() {
+    for (log, says) in [
+        (
+            "12:34:56.000 -> 0,0,-0.38\n12:34:56.001 -> 1010,0,-0.38\n",
+            "`12:34:56.001 -> 1010,0,-0.38`: take that away, as with `sed 's/^[0-9:.]* -> //'`",
+        ),
+        (
+            "t [us],count,f [mN]\n12:34:56.000 -> 0,0,-0.38\n12:34:56.001 -> 1010,0,-0.38\n",
+            "`12:34:56.000 -> 0,0,-0.38`: take that away",
+        ),
+        (
+            "t:0,count:0,torque:-0.0004\nt:1010,count:0,torque:-4e-4\n",
+            "`sed -e '1{h;s/:[-+.0-9eE]*//g;p;g;}' -e 's/[A-Za-z_][A-Za-z_0-9]*://g'`",
+        ),
+        (
+            "t [us],count,f [mN]\nt:0,count:0,torque:-0.0004\n",
+            "`sed -e '1!s/[A-Za-z_][A-Za-z_0-9]*://g'`",
+        ),
+        (
+            "secs,name,position,effort\n0,['knob'],[0.12],[0.1]\n0.001,['knob'],[0.13],[0.1]\n",
+            "`position` cannot be read: row 1 has no number there but `[0.12]`, a list: where each has one number, take the brackets \
+             away behind the first line, as with `sed '1!s/[][]//g'`",
+        ),
+        (
+            "Time,x [mm]\n0.000000 sec,0\n0.001010 sec,0\n",
+            "row 1 has no number there but `0.000000 sec`, with a unit that belongs into the name of the column: take it away, as \
+             with `sed 's/ sec//'`",
+        ),
+        (
+            "1700000000,123000000,,knob,0,0,0\n1700000000,124000000,,knob,0.001,1,-0.0005\n",
+            "as `column1,column2,column3,column4,column5,column6,column7`, and in place of three of these names `t [s]` for the \
+             column with the times, `count` or `x [mm]` for that with the positions and `f [N]` for that with the forces",
+        ),
+    ] {
+        let error = refused(log, None);
+        assert!(error.message.contains(says), "{error}");
+        assert_eq!(error.proposal, None, "{error}");
+    }
+    let coarse = audited("t [ms],count\n0,0\n1,0\n1,1\n", None).unwrap();
+    let says = "expected a time after 1, found 1 (a clock that stands still between two rows is too coarse: log a finer one";
+    assert!(coarse.error().unwrap().to_string().contains(says));
+}

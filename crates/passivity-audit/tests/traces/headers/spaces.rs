@@ -139,47 +139,66 @@ fn what_stands_only_at_the_end_of_the_rows_is_named() {
 /// The line that is to be written before rows without names, and the options that it is read with, as they are printed.
 #[test]
 fn the_names_that_rows_without_any_may_have_are_written_as_the_rows_are() {
-    for (scene, rows, names, options) in [
+    for (scene, rows, names, meant, options) in [
         (
             rotary(),
             "0 0.00 0\n0.001 0.01 0.1\n0.002 0.03 0.1\n",
-            "t [s] x [rad] f [N m]",
+            "column1 column2 column3",
+            &["t [s]", "x [rad]", "f [N m]"][..],
             Some((b' ', "--delimiter ' '")),
         ),
         (
             rotary(),
             "0\t0\t0.5\t7\t8\n0.001\t1\t0.1\t7\t8\n",
-            "t [s]\\tcount\\tf [N m]\\tother1\\tother2",
+            "column1\\tcolumn2\\tcolumn3\\tcolumn4\\tcolumn5",
+            &["t [s]", "count", "f [N m]"],
             Some((b'\t', "--delimiter tab")),
         ),
         (
             scene(),
             "0;0.5\n0.001;1\n",
-            "t [s];x [m]",
+            "column1;column2",
+            &["t [s]", "x [m]"],
             Some((b';', "--delimiter ';'")),
         ),
-        (scene(), "0,0\n0.001,1\n", "t [s],count", None),
-        (scene(), "0,0\n-1,0.5\n", "count,f [N]", None),
+        (
+            scene(),
+            "0,0\n0.001,1\n",
+            "column1,column2",
+            &["t [s]", "count"],
+            None,
+        ),
+        (
+            scene(),
+            "0,0\n-1,0.5\n",
+            "column1,column2",
+            &["count", "f [N]"],
+            None,
+        ),
     ] {
         let error = audited_on(&scene, rows, None).unwrap_err();
-        assert!(
-            error.message.contains(&format!("as in `{names}`")),
-            "{error}"
-        );
+        assert!(error.message.contains(&format!("as `{names}`")), "{error}");
         let says = options.map_or_else(String::new, |(_, it)| format!(" with `{it}`"));
         assert!(error.message.contains(&says), "{error}");
-        let log = format!("{}\n{rows}", names.replace("\\t", "\t"));
-        let dialect = Dialect {
-            delimiter: options.map(|(delimiter, _)| delimiter),
-            ..Dialect::default()
+        let audited = |names: &str| {
+            let log = format!("{}\n{rows}", names.replace("\\t", "\t"));
+            let dialect = Dialect {
+                delimiter: options.map(|(delimiter, _)| delimiter),
+                ..Dialect::default()
+            };
+            let options = Options {
+                dialect,
+                ..Options::default()
+            };
+            let input = Box::new(std::io::Cursor::new(log.into_bytes()));
+            audit_csv(input, &scene, options)
         };
-        let options = Options {
-            dialect,
-            ..Options::default()
-        };
-        let input = Box::new(std::io::Cursor::new(log.into_bytes()));
-        let audit = audit_csv(input, &scene, options).unwrap();
-        assert_eq!(audit.error(), None, "{names}");
+        // As they stand they say nothing of what is what.
+        assert!(audited(names).is_err(), "{names}");
+        let named = (1..).zip(meant).fold(names.to_owned(), |names, (i, role)| {
+            names.replace(&format!("column{i}"), role)
+        });
+        assert_eq!(audited(&named).unwrap().error(), None, "{named}");
     }
 }
 
