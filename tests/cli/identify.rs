@@ -10,7 +10,7 @@ fn shipped(name: &str) -> String {
     path.to_str().expect("UTF-8").to_owned()
 }
 
-fn identify(dir: &Dir, log: &str, more: &[&str]) -> Run {
+pub(crate) fn identify(dir: &Dir, log: &str, more: &[&str]) -> Run {
     let (log, sketch) = (shipped(log), shipped("sketch.toml"));
     let mut words = vec!["identify", &log, "--scene", &sketch, "--effort", "1"];
     words.extend(more);
@@ -427,35 +427,4 @@ fn a_picture_is_drawn() {
     let starts: Vec<&str> = starts.take(2).collect();
     let first = format!("{x},{y}");
     assert_eq!(starts, [first.as_str(); 2]);
-}
-
-/// A case refuses such, after the scene was written.
-#[test]
-fn what_is_said_of_a_recording_is_asked_for_at_once() {
-    let dir = Dir::new();
-    let day = "expected a day such as 2026-11-20";
-    let device = "expected which device was recorded, such as its name and serial number";
-    for (option, value, says) in [
-        ("--date", "22.11.2026", day),
-        ("--date", "2026-02-30", day),
-        ("--device", "", device),
-        ("--device", " - ", device),
-        ("--device", "TODO", device),
-        ("--device", "xxx", device),
-        (
-            "--count-error",
-            "1/2",
-            "expected a number of ticks, such as 0.5",
-        ),
-        (
-            "--force-error",
-            "0.1 mN m",
-            "expected a number of N, or of N m where the device turns, without the unit, such as 0.0001",
-        ),
-    ] {
-        let run = identify(&dir, "push.csv", &["--out", "knob.toml", option, value]);
-        assert_eq!(run.code, 2, "{}", run.stderr);
-        assert!(run.stderr.contains(says), "{}", run.stderr);
-        assert!(!dir.path("knob.toml").exists());
-    }
 }

@@ -1,4 +1,4 @@
-//! What `passivity simulate` says of the device that it simulates, and how it draws its motion.
+//! What `passivity simulate` says of the device that it simulates, and how it and `sweep` draw.
 
 use crate::harness::{Dir, words_off};
 use crate::simulate::gliding;
@@ -103,4 +103,23 @@ fn a_long_title_fits_and_ends_with_the_outcome() {
             "{svg}"
         );
     }
+}
+
+#[test]
+fn a_picture_of_one_map_has_room_for_what_its_lines_mean() {
+    let dir = Dir::new();
+    let arm = dir.write("arm.toml", crate::sweep::ARM);
+    let vary = ["stiffness=500:3500:4 N/m", "rate=1/2,1 kHz"];
+    let args = [
+        "sweep", &arm, "--vary", vary[0], "--vary", vary[1], "--plot", "grid.svg",
+    ];
+    let run = dir.run(&[&args[..], &["--out", "grid.csv"]].concat());
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let svg = std::fs::read_to_string(dir.path("grid.svg")).expect("a picture");
+    assert!(svg.contains("border: passive at every speed"), "{svg}");
+    assert!(
+        svg.contains("border: passive up to operator.max_speed"),
+        "{svg}"
+    );
+    assert_eq!(words_off(&svg), [""; 0]);
 }

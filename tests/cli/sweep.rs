@@ -3,7 +3,7 @@
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::harness::{Dir, words_off};
+use crate::harness::Dir;
 
 fn scene(dir: &Dir, intervals: u32) -> String {
     let scene = format!(
@@ -228,7 +228,7 @@ fn the_critical_lines_are_those_of_the_scene_with_its_effects() {
     assert!(drawn(&write("short.toml", ""), "1").contains("crosses: undecided"));
 }
 
-const ARM: &str = "[device]\nmass = \"75 g\"\nviscous = \"0.5 N s/m\"\ncoulomb = \"0.04 N\"\n[sampling]\n\
+pub(crate) const ARM: &str = "[device]\nmass = \"75 g\"\nviscous = \"0.5 N s/m\"\ncoulomb = \"0.04 N\"\n[sampling]\n\
                    rate = \"1 kHz\"\n[encoder]\nresolution = \"0.03 mm\"\n[wall]\nstiffness = \"1 N/mm\"\n\
                    [operator]\nmax_speed = \"40 mm/s\"\n[start]\nvelocity = \"300 mm/s\"\n[run]\nintervals = 400\n";
 
@@ -438,23 +438,4 @@ fn shards_are_merged_into_the_file_of_one_run() {
         let run = sweep(&["--shard", wrong, "--out", "x.csv"]);
         assert_eq!(run.code, 2, "{wrong}");
     }
-}
-
-#[test]
-fn a_picture_of_one_map_has_room_for_what_its_lines_mean() {
-    let dir = Dir::new();
-    let arm = dir.write("arm.toml", ARM);
-    let vary = ["stiffness=500:3500:4 N/m", "rate=1/2,1 kHz"];
-    let args = [
-        "sweep", &arm, "--vary", vary[0], "--vary", vary[1], "--plot", "grid.svg",
-    ];
-    let run = dir.run(&[&args[..], &["--out", "grid.csv"]].concat());
-    assert_eq!(run.code, 0, "{}", run.stderr);
-    let svg = std::fs::read_to_string(dir.path("grid.svg")).expect("a picture");
-    assert!(svg.contains("border: passive at every speed"), "{svg}");
-    assert!(
-        svg.contains("border: passive up to operator.max_speed"),
-        "{svg}"
-    );
-    assert_eq!(words_off(&svg), [""; 0]);
 }

@@ -249,3 +249,35 @@ fn an_inertia_that_may_be_as_small_as_zero_leaves_the_case_open() {
     let why = evidence["because"].as_str().expect("a reason");
     assert!(why.contains("how small the inertia is"), "{why}");
 }
+
+/// A case refuses such, after the scene was written.
+#[test]
+fn what_is_said_of_a_recording_is_asked_for_at_once() {
+    let dir = Dir::new();
+    let day = "expected a day such as 2026-11-20";
+    let device = "expected which device was recorded, such as its name and serial number";
+    for (option, value, says) in [
+        ("--date", "22.11.2026", day),
+        ("--date", "2026-02-30", day),
+        ("--device", "", device),
+        ("--device", " - ", device),
+        ("--device", "TODO", device),
+        ("--device", "xxx", device),
+        (
+            "--count-error",
+            "1/2",
+            "expected a number of ticks, such as 0.5",
+        ),
+        (
+            "--force-error",
+            "0.1 mN m",
+            "expected a number of N, or of N m where the device turns, without the unit, such as 0.0001",
+        ),
+    ] {
+        let run =
+            crate::identify::identify(&dir, "push.csv", &["--out", "knob.toml", option, value]);
+        assert_eq!(run.code, 2, "{}", run.stderr);
+        assert!(run.stderr.contains(says), "{}", run.stderr);
+        assert!(!dir.path("knob.toml").exists());
+    }
+}

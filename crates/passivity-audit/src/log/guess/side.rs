@@ -47,7 +47,7 @@ pub(super) fn is_at_motor(kind: Kind, heading: &Heading, scene: &Scene) -> bool 
     let is_short = split(&heading.name).is_ok_and(|split| {
         // In brackets it is a unit.
         let is_last = split.unit.as_deref() == Some("m") && heading.name.ends_with(['m', 'M']);
-        let words = words(&split.stem);
+        let words = words(split.stem);
         let has = |other: &str| words.iter().any(|word| word == other);
         let is_turned = scene.motion != Motion::Linear || ANGLES.into_iter().any(has);
         has("m") || (is_last && is_turned)
