@@ -177,7 +177,7 @@ pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) ->
     if findings.is_empty() || !(is_multiple || is_last) {
         findings.push(beyond_rounding(
             agreement,
-            (scale, left),
+            (scale, moved, left),
             findings.is_empty(),
             layout.form,
         ));
@@ -209,17 +209,21 @@ fn of_moved(ticks: f64) -> Finding {
 }
 
 /// What is left of forces is what they are off the nearest multiple, which is said unless it is the law.
-fn of_multiple(scale: f64) -> String {
+fn of_multiple(scale: f64, moved: f64) -> String {
+    let law = match moved == 0.0 {
+        true => "the law",
+        false => "that of the moved wall",
+    };
     match figures(scale, 5) {
         one if one == "1" => String::new(),
-        scale => format!(" from {scale} times the law"),
+        scale => format!(" from {scale} times {law}"),
     }
 }
 
 /// Of forces that are near the law's, or a multiple of it, by more than their digits are off.
 fn beyond_rounding(
     agreement: &Agreement,
-    (scale, left): (f64, f64),
+    (scale, moved, left): (f64, f64, f64),
     is_all: bool,
     form: Form,
 ) -> Finding {
@@ -234,7 +238,7 @@ fn beyond_rounding(
         false => format!(
             "beside that the force differs by {}{}, and its digits are off by {} at the most",
             share(left),
-            of_multiple(scale),
+            of_multiple(scale, moved),
             share(agreement.rounding.unwrap_or(0.0))
         ),
     };

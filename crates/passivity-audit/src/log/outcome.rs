@@ -22,6 +22,7 @@ use crate::log::supply::potential;
 use crate::log::task::Task;
 use crate::log::velocity::Velocities;
 use crate::number::Number;
+use crate::reading::GRID_BITS;
 use crate::run::{Tallies, Totals, tightened};
 use crate::sum::FigureSum;
 
@@ -62,7 +63,7 @@ impl Audit {
             Some(first) => {
                 let stored = potential(task.ledger, first).ok_or_else(undefined)?;
                 let [least, most] = stored.map(|stored| stored.to_rational());
-                open = left_open(task.layout.form, [&least, &most]);
+                open = left_open(task.layout.form, [&least, &most], account.intervals);
                 // A spring that is so much stiffer than the wall's stores so much more.
                 let more = stiffness_at_rest(scene) - BigRational::one();
                 let mut beyond = [least, most.clone()].map(|stored| stored * &more);
@@ -318,17 +319,21 @@ fn of_supply(lowest: &Lowest) -> Verdict {
     }
 }
 
-/// What rounding leaves open of what was stored at the start, between these two: so much is not held against a device that
-/// rests there, whose energy at the end is that of the same number. Counts leave open where in a tick it was: that is.
-fn left_open(form: Form, [least, most]: [&BigRational; 2]) -> BigRational {
+/// What rounding leaves open of what was drawn from nothing stored, where between these two was stored at the start.
+///
+/// The energy at the end of a device that rests is that of the same number as at its start, enclosed: so much is not held
+/// against it. Counts leave open where in a tick it was: that is. With them the change of a force counts (see
+/// [`supply`](crate::log::supply)), of which each end is enclosed in an interval.
+fn left_open(form: Form, [least, most]: [&BigRational; 2], intervals: u64) -> BigRational {
     /// Some thirty roundings of doubles, and some sixteen of the grid that sums are on.
-    const SHARE: i64 = 1 << 48;
-    const GRID: i64 = 1 << 60;
-    let part = |n: i64| BigRational::new(1.into(), n.into());
-    match form {
-        Form::Count => BigRational::zero(),
-        _ => most - least + most * part(SHARE) + part(GRID),
-    }
+    const SHARE: u32 = 48;
+    const GRID: u32 = 60;
+    let part = |bits: u32| BigRational::new(1.into(), (1_i64 << bits).into());
+    let enclosed = match form {
+        Form::Count => part(GRID_BITS - 1) * BigRational::from_integer((intervals + 1).into()),
+        Form::Xi | Form::X | Form::Ledger => most - least,
+    };
+    enclosed + most * part(SHARE) + part(GRID)
 }
 
 impl Supplied {

@@ -256,7 +256,11 @@ impl Report {
             out.put("least energy balance", &text);
             if self.judged == Judged::Running {
                 let stored = rounded(&-&supply.floor, 5, Rounding::Up);
-                let text = format!("at most {stored} {unit} in the spring of the scene's wall");
+                let spring = match self.effects.contains(&Effect::Controller) {
+                    true => "a spring of H(1) times the stiffness of the scene's wall",
+                    false => "the spring of the scene's wall",
+                };
+                let text = format!("at most {stored} {unit} in {spring}");
                 out.put("stored at the start", &text);
             }
         }
