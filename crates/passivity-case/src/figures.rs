@@ -224,6 +224,15 @@ mod tests {
                  [encoder]\nresolution = \"1 m\"\n[wall]\nstiffness = \"1 N/m\"\ndamping = \"0 … 0.5 N s/m\"\n"
             )
         };
+        // At a bound on the speed it is what is left of (8) there: at a long period, though a short one leaves a little less
+        // of σ.
+        let bounded = "[device]\nviscous = \"2.992e-05 N m s/rad\"\ncoulomb = \"0.000991463 N m\"\n[sampling]\n\
+            period = \"1.54081 ms ± 30%\"\n[encoder]\ncounts_per_revolution = 8192\n[wall]\n\
+            stiffness = \"0.00552576 N m/rad\"\ndamping = \"1.6672e-05 N m s/rad\"\n\
+            damping_time_constant = \"4.52659 ms\"\n[operator]\nmax_speed = \"1.01703 rad/s\"\n";
+        let scene = Scene::from_toml("s", bounded).unwrap();
+        let period = &scene.given.period;
+        assert_eq!(scene.hardest().given.period.nominal, *period.value.hi());
         for viscous in ["1.3 N s/m", "2.5 N s/m"] {
             let scene = Scene::from_toml("s", &text(viscous)).unwrap();
             let hardest = scene.hardest().given.damping.unwrap().nominal;

@@ -44,7 +44,8 @@ impl Scene {
     /// part in the criterion stays as it is.
     ///
     /// Where either end of some may be the harder one, it is the hardest of the devices with these at their ends: one that
-    /// does not meet the criterion, if there is one, and then the one whose least margin is the least.
+    /// does not meet the criterion, if there is one, and then the one whose margin is the least: (8) at the
+    /// bound on the speed, or, without one, what is less to spare of β and of σ.
     #[must_use]
     pub fn hardest(&self) -> Self {
         let open = self.either_way();
@@ -109,7 +110,8 @@ impl Scene {
             way.over(with_costs.resolution.clone().unwrap_or_else(Exact::one))
         };
         let spare = match with_costs.max_speed.as_ref().map(ticks) {
-            Some(bound) => criterion.margin_up_to(&bound),
+            // As (8) has it: per speed.
+            Some(bound) => criterion.margin(&bound).over(bound),
             None => criterion.margin_at_all_speeds(),
         };
         Some((holds, spare.enclosed(BITS)?.hi().clone()))

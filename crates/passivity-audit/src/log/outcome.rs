@@ -322,7 +322,7 @@ fn of_supply(lowest: &Lowest) -> Verdict {
 /// What rounding leaves open of what was drawn from nothing stored, where between these two was stored at the start.
 ///
 /// The energy at the end of a device that rests is that of the same number as at its start, enclosed: so much is not held
-/// against it. Counts leave open where in a tick it was: that is. With them the change of a force counts (see
+/// against it. Counts leave open where in a tick it was. With them the change of a force counts (see
 /// [`supply`](crate::log::supply)), of which each end is enclosed in an interval.
 fn left_open(form: Form, [least, most]: [&BigRational; 2], intervals: u64) -> BigRational {
     /// Some thirty roundings of doubles, and some sixteen of the grid that sums are on.
@@ -330,7 +330,10 @@ fn left_open(form: Form, [least, most]: [&BigRational; 2], intervals: u64) -> Bi
     const GRID: u32 = 60;
     let part = |bits: u32| BigRational::new(1.into(), (1_i64 << bits).into());
     let enclosed = match form {
-        Form::Count => part(GRID_BITS - 1) * BigRational::from_integer((intervals + 1).into()),
+        // And what a spring stores within a tick, half of KΔ²: so much is open of a device that starts where the wall begins.
+        Form::Count => {
+            part(1) + part(GRID_BITS - 1) * BigRational::from_integer((intervals + 1).into())
+        }
         Form::Xi | Form::X | Form::Ledger => most - least,
     };
     enclosed + most * part(SHARE) + part(GRID)

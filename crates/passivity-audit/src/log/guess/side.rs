@@ -74,11 +74,11 @@ pub(super) fn not_at_device(
         return None;
     }
     let counted = counts_are_at_motor(scene);
-    if kind == Kind::Position
-        && counted
-        && whole::counts(heading, column, preview, scene) == Ok(true)
-    {
-        return None;
+    if kind == Kind::Position && whole::counts(heading, column, preview, scene) == Ok(true) {
+        let says = "by its name and its numbers it seems to have counts of an encoder at the motor, and that of the scene, \
+                    whose counts are `count`, is at the device: where it is at the motor, say `side = \"motor\"` under \
+                    [encoder]";
+        return (!counted).then(|| says.to_owned());
     }
     let (role, verb) = match kind {
         Kind::Force => (Role::F, "multiply"),
