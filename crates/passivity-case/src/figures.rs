@@ -3,8 +3,8 @@
 
 use passivity_core::BigRational;
 use passivity_plot::plane::{self, Mark};
-use passivity_scene::Point;
 use passivity_scene::display::{range, significant};
+use passivity_scene::{Point, Scene};
 use passivity_sim::plot::motion::{self, Motion};
 use passivity_sim::scales::Scales;
 use passivity_sim::{ExactOutcome, Plan, accuracy, plot, run};
@@ -42,7 +42,8 @@ pub fn of_plane(study: &Study) -> Vec<Block> {
     );
     let mut place = String::new();
     if has_tolerance {
-        place += "The disc and the arrows are at the hardest of the ends of the tolerances; the rectangle holds every value within them, as far as the picture goes. ";
+        place += "The disc and the arrows are at the hardest of the ends of the tolerances; the rectangle \
+                  holds every value within them, as far as the picture goes. ";
     }
     if has_costs {
         place += "It is drawn at β and σ less what its effects cost beyond the two halves of \
@@ -64,9 +65,9 @@ pub fn of_plane(study: &Study) -> Vec<Block> {
     }
 }
 
-/// The motion to show: where it starts, in which words; `None` for a scene with neither a start nor
-/// a bound on the speed.
-fn to_simulate(study: &Study) -> Option<(Point, String)> {
+/// The motion to show: of which device within the tolerances, where it starts, in which words; `None` for a scene with
+/// neither a start nor a bound on the speed.
+fn to_simulate(study: &Study) -> Option<(Scene, Point, String)> {
     let scene = study.scene.hardest();
     let mut point = scene.point();
     let mut from = if scene.has_start() {
@@ -85,7 +86,7 @@ fn to_simulate(study: &Study) -> Option<(Point, String)> {
             ", at that of the ends of the tolerances at which the criterion is hardest to meet",
         );
     }
-    Some((point, from))
+    Some((scene, point, from))
 }
 
 fn from_surface(point: &mut Point, speed: BigRational) {
@@ -99,7 +100,7 @@ pub fn of_motion(study: &Study) -> Vec<Block> {
     if study.scene.given.inertia.is_none() {
         return say("No motion is shown: the scene has no inertia.");
     }
-    let Some((mut point, from)) = to_simulate(study) else {
+    let Some((hardest, mut point, from)) = to_simulate(study) else {
         return say("No motion is shown: the scene has neither a start nor a bound on the speed.");
     };
     point.intervals = point.intervals.min(MOST_INTERVALS);
@@ -121,7 +122,7 @@ pub fn of_motion(study: &Study) -> Vec<Block> {
         ExactOutcome::NeverAtRest => "never comes to rest".to_owned(),
         ExactOutcome::Undecided => format!("is undecided after {} intervals", end.intervals),
     };
-    let scales = Scales::of(&study.scene.hardest());
+    let scales = Scales::of(&hardest);
     let energy = |x: f64| match scales.ticks {
         true => format!("{} KΔ²", significant(x)),
         false => format!(
@@ -152,7 +153,7 @@ pub fn of_motion(study: &Study) -> Vec<Block> {
 #[must_use]
 pub fn of_accuracy(study: &Study) -> Vec<Block> {
     let simulated = to_simulate(study).filter(|_| study.scene.given.inertia.is_some());
-    let Some((point, _)) = simulated else {
+    let Some((_, point, _)) = simulated else {
         return Vec::new();
     };
     let table = match accuracy::measure(&point, MOST_MEASURED, |_| {}) {
@@ -184,7 +185,6 @@ mod tests {
     use std::path::Path;
 
     use passivity_core::Parameter;
-    use passivity_scene::Scene;
 
     use super::*;
 
@@ -211,7 +211,7 @@ mod tests {
         assert_eq!(parameters.map(value), ["3", "2", "3", "3/2", "7", "7"]);
         let study = Study::new(scene, text.to_owned(), Path::new("s.toml"));
         // 7 m/s over 3 s and 1.5 m: 14 ticks in a sampling period.
-        let (point, _) = to_simulate(&study).unwrap();
+        let (_, point, _) = to_simulate(&study).unwrap();
         assert_eq!(point.start()[1].to_string(), "14");
     }
 

@@ -23,6 +23,8 @@ pub struct Mark {
     pub name: String,
     /// Where the device stands.
     pub at: (f64, f64),
+    /// β and σ of it, with nothing taken off.
+    pub friction: (f64, f64),
     /// The least and the largest β less the cost, over the tolerances.
     pub beta: [f64; 2],
     /// The least and the largest σ less the cost.
@@ -64,6 +66,7 @@ impl Mark {
             [spare.lo(), spare.hi()].map(|x| nearest_f64(&(x + &half)))
         };
         let at = scene.hardest().point().at;
+        let friction = at.friction();
         let speed = at.max_speed.as_ref();
         let speed = speed.map(|v| (nearest_f64(v), format!("{} ticks/sample", approx(v))));
         let mut bounds = scene.parameters().into_iter();
@@ -78,6 +81,7 @@ impl Mark {
         Some(Self {
             name: report.scene.clone(),
             at: moved(&at, Parameter::Stiffness, &BigRational::one())?,
+            friction: (nearest_f64(&friction.beta), nearest_f64(&friction.sigma)),
             beta: ends(&report.spare.viscous),
             sigma: ends(&report.spare.coulomb),
             tolerances,
@@ -143,6 +147,7 @@ mod tests {
         let mark = Mark {
             name: "far".to_owned(),
             at: (0.5, 1.0),
+            friction: (0.5, 1.0),
             beta: [0.0, f64::INFINITY],
             sigma: [1.0; 2],
             tolerances: Tolerances::Closed,

@@ -2,7 +2,6 @@
 
 use passivity_plot::plane::{Mark, draw_on_axes};
 use passivity_scene::check::{Verdict, check};
-use passivity_scene::number::nearest_f64;
 use serde::Serialize;
 
 use super::{Args, Log};
@@ -58,11 +57,11 @@ pub(super) fn run(args: &Args) -> Result<Exit, Failure> {
                 report.scene
             )));
         };
-        let friction = scene.hardest().point().at.friction();
+        let (beta, sigma) = mark.friction;
         documents.push(Placed {
             scene: report.scene.clone(),
-            beta: nearest_f64(&friction.beta),
-            sigma: Some(nearest_f64(&friction.sigma)),
+            beta,
+            sigma: Some(sigma),
             beta_less_cost: mark.beta,
             sigma_less_cost: mark.sigma,
             speed: mark.speed.as_ref().map(|(v, _)| *v),
