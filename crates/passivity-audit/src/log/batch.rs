@@ -7,7 +7,7 @@ use passivity_core::course::{Course, Least};
 use crate::ledger::Truths;
 use crate::log::account::{Account, Place, kinds};
 use crate::log::error::TraceError;
-use crate::log::lanes::{Asked, ByLaw, Courses, Sums, TileRows, each_answer};
+use crate::log::lanes::{Answer, Asked, ByLaw, Courses, Sums, TileRows, each_answer};
 use crate::log::motion::Addend;
 use crate::log::running::{Lowest, RunningSum};
 use crate::log::supply::{Bounds, NO_FORCE, Supplied, Supply};
@@ -138,13 +138,13 @@ impl Batch {
 
     /// Adds rows under the force of the wall that were computed beside others, where [sums](Self::sums_alone) are all that
     /// is told: how many.
-    pub(crate) fn add_by_law(&mut self, rows: &ByLaw) -> usize {
+    pub(crate) fn add_by_law(&mut self, rows: &ByLaw, answers: &[Answer]) -> usize {
         let before = self.intervals;
         if before + rows.len as u64 > MOST {
             return 0;
         }
         self.add_sums(&rows.sums, rows.len);
-        for (truths, first, times) in &rows.answers {
+        for (truths, first, times) in answers {
             self.tally(*truths, before + *first as u64, *times as u64);
         }
         rows.len

@@ -195,11 +195,13 @@ impl Comparison {
         }
         let (before, law) = all.split_at_mut(lags);
         let order = self.wide.filter.order();
-        // What is not known near by is computed one by one.
-        for (i, force) in rows.clone().zip(&mut *law) {
-            if force.is_nan() {
-                let sample = chunk.samples.get(i).ok_or_else(undefined)?;
-                *force = self.commanded(sample).ok_or_else(undefined)?;
+        // What is not known near by is computed one by one: of several at a time it is asked whether there is any.
+        if law.iter().fold(false, |open, force| open | force.is_nan()) {
+            for (i, force) in rows.clone().zip(&mut *law) {
+                if force.is_nan() {
+                    let sample = chunk.samples.get(i).ok_or_else(undefined)?;
+                    *force = self.commanded(sample).ok_or_else(undefined)?;
+                }
             }
         }
         if law.is_empty() {
@@ -218,17 +220,22 @@ impl Comparison {
         }
         let near = &chunk.forces.values.near;
         let mut forces = Cow::Borrowed(near.middles.get(rows.clone()).ok_or_else(undefined)?);
-        for (i, radius) in rows.clone().zip(near.radii.iter().skip(rows.start)) {
-            if !radius.is_finite() {
-                let force = near_reading(&chunk.forces.get(i).ok_or_else(undefined)?);
-                let slot = forces.to_mut().get_mut(i - rows.start);
-                *slot.ok_or_else(undefined)? = force;
+        let radii = near.radii.get(rows.clone()).unwrap_or_default();
+        if !radii
+            .iter()
+            .fold(true, |all, radius| all & radius.is_finite())
+        {
+            for (i, radius) in rows.clone().zip(radii) {
+                if !radius.is_finite() {
+                    let force = near_reading(&chunk.forces.get(i).ok_or_else(undefined)?);
+                    let slot = forces.to_mut().get_mut(i - rows.start);
+                    *slot.ok_or_else(undefined)? = force;
+                }
             }
         }
         let rounding = chunk.forces.roundings.get(rows).unwrap_or_default();
         self.squares.add_products(&forces, &forces);
-        let off = forces.iter().zip(rounding);
-        let off: Vec<f64> = off.map(|(force, by)| may_be_off(*force, *by)).collect();
+        let off = may_be_off(&forces, rounding);
         self.roundings.add_products(&off, &off);
         self.law_squares.add_products(law, law);
         let own = all.get(lags - self.delay..).unwrap_or_default();
@@ -378,10 +385,14 @@ fn differs(force: f64, law: f64, rounding: f64) -> bool {
     (force - law).abs() > rounding + RELATIVE * law.abs() + ABSOLUTE
 }
 
-/// How far a force that was rounded by so much is from the one it was, at the most.
-#[inline(always)]
-fn may_be_off(force: f64, rounding: f64) -> f64 {
-    rounding + RELATIVE * (force.abs() + rounding) + ABSOLUTE
+/// How far forces that were rounded by so much are from those they were, at the most.
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
+fn may_be_off(forces: &[f64], rounding: &[f64]) -> Vec<f64> {
+    let mut off = rounding.to_vec();
+    for (off, force) in off.iter_mut().zip(forces) {
+        *off = *off + RELATIVE * (force.abs() + *off) + ABSOLUTE;
+    }
+    off
 }
 
 /// How many forces differ from those of the law, and from these with the other sign.

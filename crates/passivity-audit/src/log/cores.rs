@@ -94,8 +94,8 @@ pub(crate) fn in_order<W: Send, D: Send, S: Send, E>(
     let Some((own, others)) = cores.split_first_mut() else {
         return Ok(());
     };
-    // One that each core works on, and one more to go on with for each of the others.
-    let ahead = 2 * others.len() + 1;
+    // One that each core works on, and one more for each to go on with: the others wait for none while this one works too.
+    let ahead = 2 * (others.len() + 1);
     let mut others = others.iter_mut();
     let desk = Desk::new();
     std::thread::scope(|scope| {

@@ -11,10 +11,11 @@
 
 use passivity_core::{Step, Truth};
 
+pub(crate) use answers::{Answer, ByLaw, ManyByLaw, each_answer};
 pub(crate) use compute::commanded;
 pub(crate) use counted::Counted;
 pub(crate) use lengths::Length;
-pub(crate) use sums::{Asked, ByLaw, Courses, Sums, TileRows, Under, each_answer};
+pub(crate) use sums::{Asked, Courses, Sums, TileRows, Under};
 pub(crate) use written::write;
 
 use crate::ball::{Ball, Lane};
@@ -271,6 +272,7 @@ impl Tiles {
     }
 }
 
+mod answers;
 mod compute;
 mod counted;
 mod counted_sums;

@@ -231,25 +231,30 @@ impl Balls {
         several: impl FnOnce(usize, (&mut [f64], &mut [f64])),
         one: impl Fn(usize) -> Result<Ball, TraceError>,
     ) -> Result<(), (usize, TraceError)> {
+        const SOME: usize = 64;
         let known = self.len();
         self.middles.resize(len, f64::NAN);
         self.radii.resize(len, 0.0);
         let parts = (self.middles.get_mut(known..), self.radii.get_mut(known..));
         if let (Some(middles), Some(radii)) = parts {
-            several(known, (&mut *middles, radii));
+            several(known, (middles, radii));
+        }
+        for from in (known..len).step_by(SOME) {
+            let some = from..len.min(from + SOME);
+            let middles = self.middles.get(some.clone()).unwrap_or_default();
             // Of several at a time it is asked whether all of them were found.
             if !middles.iter().fold(false, |open, x| open | x.is_nan()) {
-                return Ok(());
+                continue;
             }
-        }
-        let parts = self.middles.iter_mut().zip(&mut self.radii);
-        for (i, (middle, radius)) in parts.enumerate().skip(known) {
-            if middle.is_nan() {
-                match one(i) {
-                    Ok(ball) => (*middle, *radius) = ball.parts(),
-                    Err(error) => {
-                        self.truncate(i);
-                        return Err((i, error));
+            let parts = self.middles.iter_mut().zip(&mut self.radii).enumerate();
+            for (i, (middle, radius)) in parts.take(some.end).skip(some.start) {
+                if middle.is_nan() {
+                    match one(i) {
+                        Ok(ball) => (*middle, *radius) = ball.parts(),
+                        Err(error) => {
+                            self.truncate(i);
+                            return Err((i, error));
+                        }
                     }
                 }
             }

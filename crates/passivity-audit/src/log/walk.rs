@@ -12,7 +12,7 @@ use crate::log::chunk::{Chunk, Samples};
 use crate::log::computed::{Computed, Text, UNIT, note_stored};
 use crate::log::error::TraceError;
 use crate::log::known::Starts;
-use crate::log::lanes::{ByLaw, Counted, Tiles, write};
+use crate::log::lanes::{Counted, ManyByLaw, Tiles, write};
 use crate::log::step::{duration, interval, jump, undefined};
 use crate::log::table::Table;
 use crate::log::task::Task;
@@ -42,7 +42,7 @@ pub(super) struct Walk<'a> {
     /// Those of counts.
     pub(super) counted: &'a mut Counted,
     /// What they come to under the force of the wall, beside that in the log.
-    pub(super) by_law: &'a mut Vec<ByLaw>,
+    pub(super) by_law: &'a mut ManyByLaw,
 }
 
 impl Walk<'_> {

@@ -3,7 +3,7 @@
 use crate::log::account::Account;
 use crate::log::chunk::Chunk;
 use crate::log::known::Starts;
-use crate::log::lanes::{ByLaw, Counted, Tiles};
+use crate::log::lanes::{Counted, ManyByLaw, Tiles};
 use crate::log::running::RunningSum;
 use crate::log::table::Table;
 use crate::log::task::Task;
@@ -32,7 +32,7 @@ pub(crate) struct Shared {
     /// Of positions.
     tiles: Tiles,
     /// Of counts, under the force of the wall: by the account of the forces in the log, for that of the law beside it.
-    by_law: Vec<ByLaw>,
+    by_law: ManyByLaw,
 }
 
 impl Worker {

@@ -4,9 +4,10 @@ use std::ops::Range;
 
 use multiversion::multiversion;
 
+use super::answers::ManyByLaw;
 use super::compute::whole;
 use super::counted_sums::{Steps, totals_of};
-use super::sums::{ByLaw, each_answer};
+
 use super::{Length, TILE, truths};
 use crate::log::counted::{Figures, Interval};
 use crate::log::numbers::Readings;
@@ -174,7 +175,7 @@ impl Counted {
         (counts, forces): (&[i64], Option<&Readings>),
         at: usize,
         lengths: &[Length],
-        by_law: Option<&mut Vec<ByLaw>>,
+        by_law: Option<&mut ManyByLaw>,
     ) {
         let (from, to) = (counts.get(at..), counts.get(at + 1..));
         let (from, to) = (from.unwrap_or_default(), to.unwrap_or_default());
@@ -198,7 +199,7 @@ impl Counted {
         match (&quick.reach, by_law.filter(|_| !any_period)) {
             (None, Some(by_law)) if quick.friction_is_exact && forces.is_some() => {
                 compute_both(self, quick, &open);
-                by_law.extend(self.by_law());
+                self.add_by_law(by_law);
             }
             (None, _) => compute(self, quick, &open, forces.is_some()),
             (Some(reach), _) => compute_in_parts(self, (quick, reach), &open, forces.is_some()),
@@ -206,17 +207,13 @@ impl Counted {
         mark(self, forces.is_none());
     }
 
-    /// What all rows come to under the force of the wall; `None` where doubles leave something open.
-    fn by_law(&self) -> Option<ByLaw> {
+    /// Adds what all rows come to under the force of the wall, where doubles leave nothing open.
+    fn add_by_law(&self, by_law: &mut ManyByLaw) {
         let rows = 0..self.len;
         let open = self.law.open[rows.clone()]
             .iter()
             .fold(0, |all, open| all | open);
-        let mut answers = Vec::new();
-        (open == 0).then(|| {
-            each_answer(&self.law.covers[rows.clone()], |truths, first, times| {
-                answers.push((truths, first, times));
-            });
+        if open == 0 {
             let [linear, quantized] = &self.law.generated;
             let columns = [
                 linear,
@@ -225,13 +222,9 @@ impl Counted {
                 &self.own,
                 &self.law.net_quantized,
             ];
-            ByLaw {
-                at: self.at,
-                len: self.len,
-                sums: totals_of(columns, &rows),
-                answers,
-            }
-        })
+            let sums = totals_of(columns, &rows);
+            by_law.push(self.at, sums, &self.law.covers[rows]);
+        }
     }
 
     /// Marks which rows are apart, of which those of one period are where there are no forces, and whether none is or is

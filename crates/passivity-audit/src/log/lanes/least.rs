@@ -159,13 +159,17 @@ impl Left<'_> {
 impl OnGrid for Left<'_> {
     #[inline(always)]
     fn is_zero(&self, i: usize) -> bool {
-        let sizes = [self.from, self.less[0], self.less[1]].map(|of| of.get(i).size());
-        sizes == [0.0; 3]
+        // A closure within a `map` would be compiled for any processor.
+        let size = |of: &Column| of.get(i).size();
+        let [b, c] = self.less;
+        (size(self.from) == 0.0) & (size(b) == 0.0) & (size(c) == 0.0)
     }
 
     #[inline(always)]
     fn at(&self, i: usize) -> i128 {
-        let [a, b, c] = [self.from, self.less[0], self.less[1]].map(|of| of.get(i).ends_on_grid());
+        let a = self.from.get(i).ends_on_grid();
+        let [b, c] = self.less;
+        let (b, c) = (b.get(i).ends_on_grid(), c.get(i).ends_on_grid());
         match self.at_least {
             true => a[0] - b[1] - c[1],
             false => a[1] - b[0] - c[0],

@@ -6,9 +6,8 @@ use multiversion::multiversion;
 use passivity_core::course::{Course, Least};
 
 use super::least::{courses, observer};
-use super::{Column, TILE, Tile, truths};
+use super::{Column, TILE, Tile};
 use crate::ball::{Ball, on_grid};
-use crate::ledger::Truths;
 use crate::log::motion::figures;
 use crate::log::supply::Bounds;
 
@@ -121,46 +120,6 @@ pub(crate) trait TileRows {
 
     /// What each row answers, as bits.
     fn covers(&self) -> &[u64; TILE];
-}
-
-/// What consecutive rows of counts come to under the force of the wall, where the account is of the forces in the log.
-#[derive(Debug)]
-pub(crate) struct ByLaw {
-    /// The first of them, and how many there are.
-    pub(crate) at: usize,
-    pub(crate) len: usize,
-    /// As [`Sums::sums`].
-    pub(crate) sums: [[i128; 2]; 5],
-    /// What rows answer, as [`each_answer`] has it.
-    pub(crate) answers: Vec<(Truths, usize, usize)>,
-}
-
-/// Takes what some rows answer, by what each [covers](TileRows::covers): the first of those that answer the same, counted
-/// from zero, and how many.
-#[inline(always)]
-pub(crate) fn each_answer(rows: &[u64], mut take: impl FnMut(Truths, usize, usize)) {
-    let (mut left, mut seen) = (rows.len(), 0_u64);
-    for (i, bits) in rows.iter().enumerate() {
-        if seen >> bits & 1 == 0 {
-            seen |= 1 << bits;
-            let alike = alike(rows, *bits);
-            take(truths(*bits), i, alike);
-            left -= alike;
-        }
-        if left == 0 {
-            break;
-        }
-    }
-}
-
-/// How many of some rows answer this.
-#[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
-fn alike(rows: &[u64], bits: u64) -> usize {
-    let mut alike = 0_u64;
-    for other in rows {
-        alike = alike.wrapping_add(u64::from(*other == bits));
-    }
-    alike as usize
 }
 
 /// The rows of a tile under the force in the log where that is `applied`, else under that of the wall.

@@ -64,13 +64,12 @@ impl Walk<'_> {
             Samples::Counts(counts) => {
                 let mut most = most;
                 if task.sums_alone() {
-                    let first = self.by_law.partition_point(|rows| rows.at < at);
-                    match self.by_law.get(first) {
-                        Some(rows) if rows.at == at && rows.len <= most => {
-                            let added = batch.add_by_law(rows);
+                    match self.by_law.from(at) {
+                        Some((rows, answers)) if rows.at == at && rows.len <= most => {
+                            let added = batch.add_by_law(rows, answers);
                             return self.tiles.lengths.get(at..at + added);
                         }
-                        Some(rows) if rows.at > at => most = most.min(rows.at - at),
+                        Some((rows, _)) if rows.at > at => most = most.min(rows.at - at),
                         _ => {}
                     }
                 }

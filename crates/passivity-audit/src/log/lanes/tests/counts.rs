@@ -155,7 +155,7 @@ proptest! {
         forces.iter().for_each(|force| readings.near.push(*force));
         let quick = Quick::of(&Wall::of(&ledger(EXACT)).unwrap());
         let lasts: Vec<_> = lengths.iter().map(|(n, d)| Length(*n, *d)).collect();
-        let (mut tile, mut found) = (Counted::new(), Vec::new());
+        let (mut tile, mut found) = (Counted::new(), ManyByLaw::default());
         tile.fill(&quick, (&counts, Some(&readings)), 0, &lasts, Some(&mut found));
         let rows = counts.windows(2).zip(&lasts).take(TILE);
         // A row of one period is one of exact numbers.
@@ -165,8 +165,9 @@ proptest! {
                 figures.filter(|_| length.0 != length.1)
             })
             .collect();
-        prop_assert_eq!(found.len(), usize::from(alone.is_some()));
-        for (alone, found) in alone.iter().zip(&found) {
+        let found = found.from(0);
+        prop_assert_eq!(found.is_some(), alone.is_some());
+        for (alone, (found, answers)) in alone.iter().zip(found) {
             prop_assert_eq!((found.at, found.len), (0, alone.len()));
             let mut sums = [[0; 2]; 5];
             for row in alone {
@@ -174,9 +175,9 @@ proptest! {
                 ends.zip(row.sums.as_flattened()).for_each(|(sum, x)| *sum += x);
             }
             prop_assert_eq!(sums, found.sums);
-            let all: usize = found.answers.iter().map(|(_, _, times)| times).sum();
+            let all: usize = answers.iter().map(|(_, _, times)| times).sum();
             prop_assert_eq!(all, alone.len());
-            for (truths, first, times) in &found.answers {
+            for (truths, first, times) in answers {
                 let same = alone.iter().map(|row| row.truths == *truths);
                 prop_assert_eq!(same.clone().position(|is| is), Some(*first));
                 prop_assert_eq!(same.filter(|is| *is).count(), *times);
@@ -199,13 +200,13 @@ fn all_rows_of_a_log_of_counts_are_decided() {
                 .near
                 .push(force + Ball::from_parts(0.013, f64::EPSILON))
         });
-        let mut by_law = Vec::new();
+        let mut by_law = ManyByLaw::default();
         let quick = Quick::of(&Wall::of(&ledger(text)).unwrap());
         let lasts: Vec<_> = lengths.iter().map(|(n, d)| Length(*n, *d)).collect();
         let of = (&*counts, Some(&forces));
         Counted::new().fill(&quick, of, 0, &lasts, Some(&mut by_law));
         // Of friction between two values they are computed again.
-        assert_eq!(by_law.len(), usize::from(text == EXACT));
+        assert_eq!(by_law.from(0).is_some(), text == EXACT);
         for forces in [None, Some(&forces)] {
             let rows = alone_and_in_a_tile(&ledger(text), &counts, &lengths, forces);
             assert_eq!(rows.len(), TILE);
