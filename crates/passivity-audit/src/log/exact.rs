@@ -19,8 +19,8 @@ const DIGITS: usize = 67;
 #[derive(Clone, Debug)]
 pub(crate) struct ExactSum {
     /// The digit `k` counts 2^(32k − 1074). A term adds less than 2^85 to one of them: there is room for
-    /// 2^42 terms, those of sums that were added among them.
-    digits: Box<[i128; DIGITS]>,
+    /// 2^42 terms, those of sums that were added among them. Of no terms there are no digits.
+    digits: Vec<i128>,
     /// What came from sums that were kept elsewhere.
     other: BigInt,
     finite: bool,
@@ -29,7 +29,7 @@ pub(crate) struct ExactSum {
 impl Default for ExactSum {
     fn default() -> Self {
         Self {
-            digits: Box::new([0; DIGITS]),
+            digits: Vec::new(),
             other: BigInt::ZERO,
             finite: true,
         }
@@ -53,6 +53,7 @@ impl ExactSum {
         };
         let (digit, shift) = (place / u64::from(STRIDE), place % u64::from(STRIDE));
         let term = i128::from(mantissa) << shift;
+        self.digits.resize(DIGITS, 0);
         // A double's exponent leads to one of the digits.
         if let Some(slot) = usize::try_from(digit)
             .ok()
@@ -79,7 +80,9 @@ impl ExactSum {
 
     /// Adds another sum.
     pub(crate) fn add_sum(&mut self, other: &Self) {
-        for (digit, other) in self.digits.iter_mut().zip(&*other.digits) {
+        self.digits
+            .resize(self.digits.len().max(other.digits.len()), 0);
+        for (digit, other) in self.digits.iter_mut().zip(&other.digits) {
             *digit += other;
         }
         self.other += &other.other;

@@ -133,16 +133,12 @@ fn whole_numbers(values: &[f64]) -> Option<(Vec<i64>, u32)> {
 /// The size of the least number that is not zero.
 #[multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx512bw", "x86_64+avx2"))]
 fn least_size(values: &[f64]) -> f64 {
-    let mut least = f64::INFINITY;
+    let mut least = u64::MAX;
     for x in values {
-        let size = x.abs();
-        least = if (size < least) & (size > 0.0) {
-            size
-        } else {
-            least
-        };
+        // The bits of sizes are in the order of these, and none are less than those of zero.
+        least = least.min(x.abs().to_bits().wrapping_sub(1));
     }
-    least
+    f64::from_bits(least.wrapping_add(1))
 }
 
 /// Multiplies doubles by a power of two that makes them whole numbers, and gives the bits of all of these; `None` where one
