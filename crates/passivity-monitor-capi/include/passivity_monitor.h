@@ -51,7 +51,8 @@ typedef struct passivity_monitor_config {
     int64_t viscous_at_most; /* no less than viscous */
     int64_t coulomb_at_most; /* no less than coulomb */
     /* The energy that was stored at the start, from 0 to 2^62, for a wall that the device starts
-     * outside of or a device that is moving; K D^2 / 8 is allowed on top. Mostly: */
+     * outside of or a device that is moving; K D^2 / 8, rounded up to a whole one of these halves, is
+     * allowed on top. Mostly: */
     int64_t stored_at_start;
 } passivity_monitor_config;
 
@@ -75,11 +76,12 @@ enum {
     PASSIVITY_ENERGY_DOES_NOT_FIT = 3  /* a sum of energies does not fit in 64 bits */
 };
 
-/* What passivity_monitor_start returns for a null pointer. */
+/* What passivity_monitor_start returns for a null pointer, to the monitor or to the configuration. */
 #define PASSIVITY_NULL (-1)
 
 /* Starts a monitor at the first sample, or anew: 0 when all is well, else which field of the
- * configuration is out of range, from 1 for stiffness to 6 for stored_at_start. `force` is held
+ * configuration is out of range, from 1 for stiffness to 6 for stored_at_start, or PASSIVITY_NULL; then
+ * no monitor runs, nor does one that ran before: every sample is PASSIVITY_UNKNOWN. `force` is held
  * from now until the next sample. So far from count 0 that the stored energy does not fit, it returns
  * 0 too: passivity_monitor_saturation is PASSIVITY_START_DOES_NOT_FIT, and every sample
  * PASSIVITY_UNKNOWN. */

@@ -108,14 +108,12 @@ pub unsafe extern "C" fn passivity_monitor_start(
     count: i32,
     force: i32,
 ) -> i32 {
-    // SAFETY: null or valid, as the caller vouches.
-    let Some(parameters) = (unsafe { parameters.as_ref() }) else {
-        return NULL;
-    };
     if memory.is_null() {
         return NULL;
     }
-    match config(parameters) {
+    // SAFETY: null or valid, as the caller vouches.
+    let parameters = unsafe { parameters.as_ref() };
+    match parameters.map_or(Err(NULL), config) {
         Ok(config) => {
             let memory_of_a_monitor = Memory {
                 started: STARTED,

@@ -43,6 +43,14 @@ static int check(void) {
         return 5;
     }
 
+    /* What could not be started is no monitor, nor is what ran there before. */
+    if (passivity_monitor_start(&monitor, &config, 0, -500) != 0 ||
+        passivity_monitor_sample(&monitor, 1, -1500) != PASSIVITY_SURELY_PASSIVE ||
+        passivity_monitor_start(&monitor, 0, 0, 0) != PASSIVITY_NULL ||
+        passivity_monitor_sample(&monitor, 1, -1500) != PASSIVITY_UNKNOWN) {
+        return 10;
+    }
+
     /* A step that is too long. A counter that wraps within 32767 ticks is not noticed. */
     if (passivity_monitor_start(&monitor, &config, 0, 0) != 0 ||
         passivity_monitor_sample(&monitor, 40000, 0) != PASSIVITY_UNKNOWN ||

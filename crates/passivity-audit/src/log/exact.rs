@@ -10,7 +10,7 @@ use crate::log::running::near;
 const LEAST: u32 = 1074;
 
 /// How many bits apart the digits of the sum are.
-const STRIDE: u32 = 32;
+const STRIDE: usize = 32;
 
 /// Enough digits for the largest double.
 const DIGITS: usize = 67;
@@ -18,8 +18,8 @@ const DIGITS: usize = 67;
 /// A sum of doubles, exactly. A term that is no finite number makes all of it none.
 #[derive(Clone, Debug)]
 pub(crate) struct ExactSum {
-    /// The digit `k` counts 2^(32k − 1074). A term adds less than 2^85 to one of them: there is room for
-    /// 2^42 terms, those of sums that were added among them. Of no terms there are no digits.
+    /// The digit `k` counts 2^(32k − 1074). A term, or a layer of some, adds less than 2^87 to one of them: there is room for
+    /// 2^40 of them, those of sums that were added among them. Of no terms there are no digits.
     digits: Vec<i128>,
     /// What came from sums that were kept elsewhere.
     other: BigInt,
@@ -51,15 +51,16 @@ impl ExactSum {
             0 => (fraction, 0),
             e => (fraction | 1 << 52, e - 1),
         };
-        let (digit, shift) = (place / u64::from(STRIDE), place % u64::from(STRIDE));
-        let term = i128::from(mantissa) << shift;
+        let size = mantissa.cast_signed();
+        let digits = if x.is_sign_negative() { -size } else { size };
+        self.add_units(digits, place as usize);
+    }
+
+    /// Adds n·2^(place − 1074), with n below 2^55 in size and a place that a double has.
+    fn add_units(&mut self, n: i64, place: usize) {
         self.digits.resize(DIGITS, 0);
-        // A double's exponent leads to one of the digits.
-        if let Some(slot) = usize::try_from(digit)
-            .ok()
-            .and_then(|digit| self.digits.get_mut(digit))
-        {
-            *slot += if x.is_sign_negative() { -term } else { term };
+        if let Some(digit) = self.digits.get_mut(place / STRIDE) {
+            *digit += i128::from(n) << (place % STRIDE);
         }
     }
 
@@ -69,9 +70,11 @@ impl ExactSum {
         let [a, b] = [a, b].map(|column| column.get(..len).unwrap_or_default());
         for (a, b) in a.chunks(SHORT).zip(b.chunks(SHORT)) {
             match layers(a, b) {
-                Some(sums) => {
-                    let sums = sums.iter().flatten().flatten();
-                    sums.for_each(|sum| self.add(*sum));
+                Some(layers) => {
+                    let layers = layers.as_flattened().iter();
+                    for (lanes, grid) in layers.zip(GRIDS.as_flattened()) {
+                        self.add_units(units(lanes, *grid), (LEAST as i32 + grid) as usize);
+                    }
                 }
                 None => a.iter().zip(b).for_each(|(a, b)| self.add(a * b)),
             }
@@ -174,6 +177,12 @@ fn layers(a: &[f64], b: &[f64]) -> Option<Layers> {
         | numbers.iter().any(|sum| sum.is_nan())
         | behind.iter().any(|bits| is_left(*bits));
     (!open).then_some(sums)
+}
+
+/// The sum of the lanes of a layer in units of its grid: less than 2^52 each.
+#[allow(clippy::cast_possible_truncation)] // of whole numbers nothing is cut off
+fn units(lanes: &[f64; LANES], grid: i32) -> i64 {
+    lanes.iter().map(|sum| (sum * power(-grid)) as i64).sum()
 }
 
 /// Whether one of the numbers that these are all bits of is not zero.
