@@ -213,8 +213,9 @@ impl Quick {
         let walls = (&self.frictions, &self.criteria);
         let mut row = Row::of(walls, of, is_exact, applied);
         let off = if applied { off } else { 0.0 };
-        let mut bounds = self.bounds(of, &row, off);
-        let [least, _] = &self.frictions;
+        let [least, most] = &self.frictions;
+        // Of friction of one value what it takes is found once.
+        let mut bounds = self.bounds(of, &row, off, if is_exact { least } else { most });
         let least = Resistance::new(least, &of.lasts);
         let ticks = of.end - of.start;
         let may_stand = ticks.0.abs() <= 1.0;
@@ -280,10 +281,16 @@ impl Quick {
         }
     }
 
-    /// What the figures of a row are off by, whose force is off by so much.
+    /// What the figures of a row are off by, whose force is off by so much, beside the most friction.
     #[inline(always)]
-    fn bounds(&self, of: &Interval<Plain>, row: &Row<Plain>, off: f64) -> Bounds {
-        let ([_, most], [viscous, coulomb]) = (&self.frictions, self.off);
+    fn bounds(
+        &self,
+        of: &Interval<Plain>,
+        row: &Row<Plain>,
+        off: f64,
+        most: &Friction<Plain>,
+    ) -> Bounds {
+        let [viscous, coulomb] = self.off;
         let (k, f) = ((of.end - of.start).0.abs(), row.excess.0.abs());
         // Sixteenths are: no product of them and of whole numbers is rounded. Most devices are outside of any wall, where
         // no force is held, for a good part of their time, and under the wall's own force there is no excess.

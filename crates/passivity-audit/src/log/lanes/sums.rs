@@ -170,18 +170,17 @@ impl TileRows for Under<'_> {
 impl Tile {
     /// The five figures of rows that are decided, and what the observer adds.
     fn figures(&self, rows: &Range<usize>, applied: bool) -> ([[i128; 2]; 5], i128) {
+        let some;
         let totals = match &self.whole {
-            Some(totals) if *rows == (0..TILE) => *totals,
-            _ => self.totals_of(rows),
+            Some(totals) if *rows == (0..TILE) => totals,
+            _ => {
+                some = self.totals_of(rows);
+                &some
+            }
         };
-        let Totals {
-            generated,
-            more,
-            taken,
-            observed,
-        } = totals;
-        let more = if applied { more } else { [0, 0] };
-        (figures(generated, more, taken), observed[0] - more[1])
+        let more = if applied { totals.more } else { [0, 0] };
+        let sums = figures(totals.generated, more, totals.taken);
+        (sums, totals.observed[0] - more[1])
     }
 
     /// The sums of rows that are decided.

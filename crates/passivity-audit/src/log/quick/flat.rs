@@ -125,7 +125,7 @@ impl Quick {
     ) -> Bounds {
         let (level, of_level) = place.force.parts();
         let of_excess = if applied { off + of_level } else { 0.0 };
-        let bounds = self.bounds(of, row, of_excess);
+        let bounds = self.bounds(of, row, of_excess, &self.frictions[1]);
         let (k, end) = ((of.end - of.start).0.abs(), of.end.0.abs());
         let (level, f, work) = (level.abs(), row.excess.0.abs(), row.work.0.abs());
         let is_short = of_level == 0.0 && nearest::<4>(level) == level && bounds.excess == 0.0;
