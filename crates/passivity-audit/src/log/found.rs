@@ -62,23 +62,28 @@ impl Findings {
         }
         let rows = match self.account.intervals > ROWS_IN_REPORT as u64 {
             true => None,
-            false => Some(self.exactly(task, scene)?),
+            false => self.exactly(task, scene)?,
         };
         Audit::new(task, scene, self, (law, rows))
     }
 
-    /// Accounts for a short log once more, in exact numbers, so that its sums are exact: its rows.
-    fn exactly(&mut self, task: &Task<'_>, scene: &Scene) -> Result<Vec<NumberedRow>, TraceError> {
+    /// Accounts for a short log once more, in exact numbers, so that its sums are exact: its rows, where these are told.
+    fn exactly(
+        &mut self,
+        task: &Task<'_>,
+        scene: &Scene,
+    ) -> Result<Option<Vec<NumberedRow>>, TraceError> {
         let task = Task {
             rows: None,
             ..task.clone()
         };
         let accounted = scene.unaccounted(task.applied).is_empty();
         let mut account = Account::default();
-        let mut rows = Vec::with_capacity(self.head.len());
+        let mut rows = task.reports_rows.then(Vec::new);
         for (h, interval) in (0..).zip(&self.head) {
             let computed = Computed::exactly(&task, interval)?;
             computed.account(&task, interval, &mut account)?;
+            let Some(rows) = &mut rows else { continue };
             let row = match computed.row {
                 Accounted::Exact(row) => row,
                 _ => task.ledger.row(interval).ok_or_else(undefined)?,

@@ -106,6 +106,9 @@ use crate::log::worker::Worker;
 pub struct Options<'a> {
     /// Where the rows of the ledger go, as CSV.
     pub rows: Option<&'a mut (dyn Write + 'a)>,
+    /// Whether the report leaves out the [rows](Report::rows) that it carries of a short log, which take longer than all else
+    /// where positions have π in them.
+    pub without_rows: bool,
     /// Whether the course of the energy is wanted, for a plot.
     pub points: bool,
     /// Whether the account is of the scene's own law, also where the trace has forces.
@@ -195,6 +198,7 @@ fn run(
             .is_some()
             .then(|| form(&ledger, layout, scene, options.law)),
         points: options.points,
+        reports_rows: !options.without_rows,
         ..Task::new(scene, &ledger, layout, options.law)
     };
     let by_law = task.by_law();

@@ -21,6 +21,8 @@ pub(crate) struct Task<'a> {
     pub(crate) layout: &'a Layout,
     /// Whether rows are written, and how.
     pub(crate) rows: Option<rows::Form>,
+    /// Whether the report carries the rows of a short log.
+    pub(crate) reports_rows: bool,
     pub(crate) points: bool,
     /// Whether the account is of the forces in the trace.
     pub(crate) applied: bool,
@@ -52,6 +54,7 @@ impl<'a> Task<'a> {
             ledger,
             layout,
             rows: None,
+            reports_rows: true,
             points: false,
             applied,
             running: applied || ledger.has_memory(),
@@ -74,6 +77,7 @@ impl<'a> Task<'a> {
     pub(crate) fn by_law(&self) -> Option<Self> {
         self.has_by_law().then(|| Task {
             rows: None,
+            reports_rows: false,
             points: false,
             applied: false,
             running: self.ledger.has_memory(),

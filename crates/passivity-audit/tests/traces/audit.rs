@@ -3,6 +3,7 @@
 
 mod forces;
 mod mistakes;
+mod reports;
 mod unaccounted;
 
 use std::fmt::Write as _;

@@ -37,6 +37,7 @@ impl Log {
         let (source, audit) = Source::bound(recording, |path| {
             let options = Options {
                 dialect: dialect.clone(),
+                without_rows: true,
                 ..Options::default()
             };
             let found = audit(path, scene, options);
@@ -46,8 +47,7 @@ impl Log {
             return Err(CaseError::within(recording.path.as_ref(), error));
         }
         let timed = audit.duration();
-        let mut report = audit.report().clone();
-        report.rows = None;
+        let report = audit.report().clone();
         Ok(Self {
             number,
             source,

@@ -146,6 +146,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let options = Options {
         rows: rows.as_mut().map(|rows| rows as &mut dyn Write),
         points: args.plot.is_some(),
+        without_rows: args.format == Format::Text,
         ..options(args)
     };
     let traces = traces(args);
