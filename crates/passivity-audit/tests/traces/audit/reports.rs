@@ -9,10 +9,7 @@ fn a_report_may_leave_its_rows_out_and_nothing_else() {
     let pi = "[device]\ninertia = \"6e-6 kg m^2\"\nviscous = \"9e-6 N m s/rad\"\ncoulomb = \"2e-3 N m\"\n[sampling]\nrate = \"1 kHz\"\n\
               [encoder]\ncounts_per_revolution = 4096\n[wall]\nstiffness = \"1 N m/rad\"\n";
     let logs = [
-        (
-            scene("[dimensionless]\nbeta = \"3/5\"\nsigma = \"3/5\""),
-            "xi\n1\n1/2\n-1\n",
-        ),
+        (three_fifths(), "xi\n1\n1/2\n-1\n"),
         (
             scene(pi),
             "x [rad],f [N m]\n0.01,-0.01\n0.02,-0.02\n0.015,-0.01\n",
