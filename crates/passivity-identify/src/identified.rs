@@ -242,7 +242,9 @@ pub fn identify(
         }
     });
     let refuted = found.refuted_by;
-    let suspicion = refuted.map_or_else(String::new, |place| suspicion(&logs, place, inertia));
+    let suspicion = refuted.map_or_else(String::new, |place| {
+        suspicion(&logs, place, (inertia, slabs), errors.count)
+    });
     Ok(whole(found, shear, best, suspicion))
 }
 
@@ -253,7 +255,12 @@ const LEAST_INERTIA: f64 = 1e-6;
 const SLABS: u32 = 20;
 
 /// Parts that hold all parameters up to the most, the inertia cut evenly over its decades.
-fn parts(shear: &Shear, most: [f64; 2], [least, largest]: Ends, slabs: u32) -> Vec<Part> {
+pub(crate) fn parts(
+    shear: &Shear,
+    most: [f64; 2],
+    [least, largest]: Ends,
+    slabs: u32,
+) -> Vec<Part> {
     use crate::directed::{div, mul};
     let down = |x: f64| -div(-1.0, x);
     let ratio = (largest / least).powf(1.0 / f64::from(slabs));

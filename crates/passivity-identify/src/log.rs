@@ -148,6 +148,25 @@ impl Log {
         self.forces = shifted.collect();
     }
 
+    /// Takes for the position at a sample the middle between those beside it.
+    pub(crate) fn pass_over(&mut self, sample: usize) {
+        let of = |at: Option<usize>| at.and_then(|at| self.positions.get(at)).copied();
+        let (before, after) = (of(sample.checked_sub(1)), of(sample.checked_add(1)));
+        let (Some([lo, hi]), Some([least, most])) = (before, after.or(before)) else {
+            return;
+        };
+        if let Some(position) = self.positions.get_mut(sample) {
+            *position = [0.5 * lo + 0.5 * least, 0.5 * hi + 0.5 * most];
+        }
+    }
+
+    /// Lets each position be off by so many ticks more.
+    pub(crate) fn widen(&mut self, ticks: f64) {
+        for [lo, hi] in &mut self.positions {
+            [*lo, *hi] = [add_down(*lo, -ticks), add(*hi, ticks)];
+        }
+    }
+
     /// The largest magnitude of the force.
     pub(crate) fn largest_force(&self) -> f64 {
         let forces = self.intervals().flat_map(|(force, _)| *force);

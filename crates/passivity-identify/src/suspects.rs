@@ -3,10 +3,11 @@
 //! Nothing here is sure. For each way in which a device or a log may differ from the model, the parameters are fitted
 //! once more with it, and those that leave no more than the counts' errors are named.
 
-use crate::estimate::spread;
+use crate::estimate::{self, spread};
+use crate::identified::parts;
 use crate::log::Log;
 use crate::region::Ends;
-use crate::search::Place;
+use crate::search::{Place, Task, first_bounds};
 
 /// Rows of logs that are fitted: of more, everything is named.
 const ROWS: usize = 10_000;
@@ -24,6 +25,14 @@ const MOST_PLAY: f64 = 400.0;
 /// What no fit is tried for.
 const OTHERS: &str = "friction that depends on the position, cogging, static friction above the sliding one, a hand on \
                       the device";
+
+/// What is named of the log itself, whatever fits.
+const OF_THE_LOG: &str = "an error of the log: counts that are off by more than `--count-error`, a wrong count, rows that are \
+                          lost where there is no column of times (all that follows is then shifted), wrong times, or a \
+                          force that was limited (saturated) after it was logged";
+
+/// So many ticks more than was given a count may be off by, to be named as what makes the logs fit.
+const MORE_TICKS: u8 = 2;
 
 /// All for which one is, where none fits alone.
 const KNOWN: &str = "backlash, a constant force of its own, a friction that is not the same in both directions, a force \
@@ -44,9 +53,15 @@ struct Suspect {
     inertia: Ends,
 }
 
-/// What it may be that no parameters fit the logs up to a place, with an inertia between ends.
-pub(crate) fn suspicion(logs: &[Log], place: Place, inertia: Ends) -> String {
-    let logs = logs.get(..=place.log).unwrap_or_default();
+/// What it may be that no parameters fit the logs up to a place, with an inertia between ends, which a search cuts into so
+/// many parts, and with counts that are off by no more than an error.
+pub(crate) fn suspicion(
+    all_logs: &[Log],
+    place: Place,
+    (inertia, slabs): (Ends, u32),
+    count_error: f64,
+) -> String {
+    let logs = all_logs.get(..=place.log).unwrap_or_default();
     let Some(log) = logs.last() else {
         return OTHERS.to_owned();
     };
@@ -56,22 +71,89 @@ pub(crate) fn suspicion(logs: &[Log], place: Place, inertia: Ends) -> String {
                 the device"
             .to_owned();
     }
-    let all = suspects(log, place.sample, inertia);
-    let widths = logs.iter().filter_map(|log| log.positions.first());
-    let width = widths.map(|[lo, hi]| hi - lo).fold(0.0, f64::max);
-    let few = logs.iter().map(Log::len).sum::<usize>() <= ROWS;
-    let fitting: Vec<&str> = all
-        .iter()
-        .filter(|suspect| few && suspect.fits(logs, width))
-        .map(|suspect| suspect.name)
-        .collect();
-    match fitting.as_slice() {
-        [] => format!("{OTHERS}, or several things at once, such as {KNOWN}"),
-        names => format!(
-            "{}: with this the log fits; or else {OTHERS}",
-            names.join(", or ")
-        ),
+    let rows = |logs: &[Log]| logs.iter().map(Log::len).sum::<usize>();
+    let mut found = Vec::new();
+    if rows(all_logs) <= ROWS
+        && let Some(error) = larger_error(all_logs, (inertia, slabs), count_error)
+    {
+        found.push(format!(
+            "counts that are off by more than `--count-error`: with `--count-error {error}` every log fits, which is right \
+             only if your counts can be off by so much"
+        ));
     }
+    if rows(logs) <= ROWS {
+        if fit_without(logs, place, (inertia, slabs)) {
+            let row = place.sample + 1;
+            found.push(format!(
+                "a wrong count in row {row}: without it the log fits"
+            ));
+        }
+        let width = width(logs);
+        let names: Vec<&str> = suspects(log, place.sample, inertia)
+            .iter()
+            .filter(|suspect| suspect.fits(logs, width))
+            .map(|suspect| suspect.name)
+            .collect();
+        if !names.is_empty() {
+            found.push(format!("{}: with this the log fits", names.join(", or ")));
+        }
+    }
+    match found.is_empty() {
+        true => format!("{OF_THE_LOG}; or {OTHERS}, or several things at once, such as {KNOWN}"),
+        false => format!("{}; or else {OTHERS}, or {OF_THE_LOG}", found.join("; or ")),
+    }
+}
+
+/// The width of a count with its error, in ticks.
+fn width(logs: &[Log]) -> f64 {
+    let widths = logs.iter().filter_map(|log| log.positions.first());
+    widths.map(|[lo, hi]| hi - lo).fold(0.0, f64::max)
+}
+
+/// The least error of a count above the one that was given, in whole ticks, with which some parameters fit all logs.
+fn larger_error(logs: &[Log], inertia: (Ends, u32), given: f64) -> Option<f64> {
+    let mut errors = (1..=MORE_TICKS).map(|more| given.floor() + f64::from(more));
+    errors.find(|error| {
+        let mut wider = logs.to_vec();
+        wider.iter_mut().for_each(|log| log.widen(error - given));
+        some_fit(&wider, logs, inertia)
+    })
+}
+
+/// Whether some parameters fit the logs where the count at the place of the last one is not known.
+fn fit_without(logs: &[Log], place: Place, inertia: (Ends, u32)) -> bool {
+    let mut near = logs.to_vec();
+    let mut open = logs.to_vec();
+    let (Some(guessed), Some(log)) = (near.get_mut(place.log), open.get_mut(place.log)) else {
+        return false;
+    };
+    guessed.pass_over(place.sample);
+    if let Some(position) = log.positions.get_mut(place.sample) {
+        *position = [f64::NEG_INFINITY, f64::INFINITY];
+    }
+    some_fit(&open, &near, inertia)
+}
+
+/// Whether a short search comes across parameters that fit logs, from the least squares of logs that are `near` them on.
+fn some_fit(logs: &[Log], near: &[Log], (inertia, slabs): (Ends, u32)) -> bool {
+    /// In intervals of motion.
+    const EFFORT: u64 = 3_000_000;
+    let [Some(viscous), Some(coulomb), Some(_)] = first_bounds(logs) else {
+        return false;
+    };
+    let most = [viscous, coulomb];
+    let first = estimate::first(near, most, inertia);
+    let (shear, weights) = estimate::coordinates(near, first);
+    let task = Task {
+        logs,
+        shear,
+        weights,
+        most,
+        near: first,
+        effort: EFFORT,
+    };
+    let found = task.search(parts(&shear, most, inertia, slabs), |_| true);
+    found.fits.is_some()
 }
 
 impl Suspect {
