@@ -205,6 +205,41 @@ fn an_inertia_that_may_be_as_small_as_zero_is_in_no_scene() {
     assert!(!dir.path("x.toml").exists());
 }
 
+/// Rows at rest cost work: what the bounds lack is said to be work, before it is said to be another log.
+#[test]
+fn a_search_that_is_stopped_asks_for_more_effort_first() {
+    let dir = Dir::new();
+    let push = std::fs::read_to_string(shipped("push.csv")).unwrap();
+    let rows: Vec<&str> = push
+        .lines()
+        .skip(1)
+        .filter_map(|row| row.split_once(',').map(|(_, rest)| rest))
+        .collect();
+    let count = rows[0].split(',').next().unwrap();
+    let at_rest = format!("{count},0\n").repeat(5000);
+    let log = format!("count,f [N m]\n{at_rest}{}\n", rows.join("\n"));
+    let log = dir.write("rest.csv", log);
+    let sketch = shipped("sketch.toml");
+    let words = ["identify", &log, "--scene", &sketch, "--effort", "1"];
+    let json = dir
+        .run(&[&words[..], &["--format", "json"]].concat())
+        .json();
+    assert_eq!(
+        (&json["stopped_early"], &json["informative"]),
+        (&true.into(), &false.into())
+    );
+    let says = "a larger --effort may narrow the bounds";
+    let first = json["lacks"][0].as_str().unwrap();
+    assert!(first.starts_with(says), "{first}");
+    let text = dir.run(&words).stdout;
+    let lacks: Vec<&str> = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("to know more: "))
+        .collect();
+    assert!(lacks[0].starts_with(says), "{text}");
+    assert_eq!(text.matches("--effort").count(), 1, "{text}");
+}
+
 #[test]
 fn motion_in_one_direction_is_not_enough() {
     let dir = Dir::new();

@@ -12,6 +12,8 @@ use crate::region::{COULOMB, INERTIA, VISCOUS};
 /// What a log lacks.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Lack {
+    /// The search was stopped by its effort, before the bounds were as narrow as they could be.
+    Effort,
     /// There is no force in it.
     Force,
     /// The force moves the device by no more than the counts leave open.
@@ -51,7 +53,8 @@ impl Lack {
         match self {
             Self::OtherWay | Self::Row => true,
             // Such bounds are wide, or there are none, and what they leave out is refuted.
-            Self::Force
+            Self::Effort
+            | Self::Force
             | Self::Motion
             | Self::Way { .. }
             | Self::Coasting
@@ -72,6 +75,10 @@ const FEW: f64 = 100.0;
 impl fmt::Display for Lack {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Effort => f.write_str(
+                "a larger --effort may narrow the bounds, as the search came to the bound of its work: try it before you \
+                 record more",
+            ),
             Self::Force => f.write_str("there is no force in the log: record the commanded force, and push"),
             Self::Motion => f.write_str(
                 "the force never surely exceeds friction: the device moves by no more than the counts leave \
@@ -230,6 +237,9 @@ fn of_wide(identified: &Identified) -> Vec<Lack> {
     }
     if identified.parameters.len() == 3 && identified.stopped_early {
         return vec![Lack::Inertia];
+    }
+    if identified.stopped_early {
+        all.insert(0, Lack::Effort);
     }
     if all.is_empty() {
         all.push(Lack::Length);

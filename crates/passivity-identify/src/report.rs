@@ -10,6 +10,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::identified::{Bounds, Identified};
+use crate::lacks::Lack;
 
 /// What the logs say of the device. Figures are in SI units, or in K, T and Δ where the sketch is
 /// dimensionless.
@@ -27,7 +28,7 @@ pub struct Report {
     pub refuted_by: Option<RefutedBy>,
     /// Whether every parameter is known within a fifth of its estimate, end to end.
     pub informative: bool,
-    /// What the logs lack, in words. An informative answer may lack something too: motion the other way, without
+    /// What the logs lack, in words; first, where the bounds are wide, whether more work may narrow them. An informative answer may lack something too: motion the other way, without
     /// which a constant force cannot be told from friction.
     pub lacks: Vec<String>,
     /// Whether the work came to its bound before the box was as narrow as it could be.
@@ -166,7 +167,8 @@ impl Report {
                 .iter()
                 .map(|lack| format!("to know more: {lack}")),
         );
-        if self.stopped_early {
+        // Of wide bounds this is said already, first of what they lack.
+        if self.stopped_early && !self.lacks.contains(&Lack::Effort.to_string()) {
             lines.push(
                 "the search came to its bound: with more --effort the box may be narrower"
                     .to_owned(),

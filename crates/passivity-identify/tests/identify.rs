@@ -434,6 +434,9 @@ fn a_search_that_is_stopped_has_bounds_that_are_wider_and_as_sure() {
     assert_eq!(told, 20);
     assert!(stopped.stopped_early);
     assert_holds(&stopped, &DEVICE, 0);
+    // It is not the log that is to blame.
+    assert_eq!(stopped.lacks.first(), Some(&Lack::Effort));
+    assert!(!stopped.lacks.contains(&Lack::Length), "{stopped:?}");
     for parameter in [Parameter::Viscous, Parameter::Coulomb] {
         let [whole, stopped] = [&whole, &stopped].map(|found| bounds(found, parameter));
         assert!(stopped.lo <= whole.lo && stopped.hi.is_none_or(|hi| whole.hi.unwrap() <= hi));
