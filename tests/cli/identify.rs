@@ -401,8 +401,19 @@ fn bad_input_is_refused_with_its_place() {
         "d.csv",
         "count,f [N m]\n0,0\n9,0\n",
         &sketch,
-        "before there is a force",
+        "d.csv: row 2: the device moves before there is a force",
     );
+    let second = dir.write("second.csv", "count,f [N m]\n0,0\n0,0\n9,0\n");
+    let run = dir.run(&[
+        "identify",
+        &shipped("push.csv"),
+        &second,
+        "--scene",
+        &sketch,
+    ]);
+    let says = "second.csv: row 3: the device moves before there is a force";
+    assert!(run.stderr.contains(says), "{}", run.stderr);
+    assert!(!run.stderr.contains("log 2"), "{}", run.stderr);
     refused(
         "e.csv",
         "t [s],count,f [N m]\n0,0,1\n0,1,1\n",

@@ -77,6 +77,7 @@ pub struct Identified {
 pub struct IdentifyError {
     pub(crate) message: String,
     pub(crate) is_not_covered: bool,
+    pub(crate) log: Option<usize>,
 }
 
 impl IdentifyError {
@@ -84,7 +85,14 @@ impl IdentifyError {
         Self {
             message: message.into(),
             is_not_covered: false,
+            log: None,
         }
+    }
+
+    /// Which of the logs it is about, from 0; `None` where it is about none of them alone.
+    #[must_use]
+    pub const fn log(&self) -> Option<usize> {
+        self.log
     }
 
     /// Whether the sketch has an effect that TH-IDENT does not cover.
@@ -176,7 +184,10 @@ pub fn identify(
         return Err(IdentifyError::new("a log is needed"));
     }
     for (number, log) in logs.iter().enumerate() {
-        starts_at_rest(log, number, logs.len())?;
+        starts_at_rest(log).map_err(|error| IdentifyError {
+            log: Some(number),
+            ..error
+        })?;
     }
     let known = match options.inertia {
         Inertia::Sketch => inertia(sketch, &nominal)?,
@@ -285,7 +296,7 @@ pub(crate) fn parts(
 
 /// Refuses a log in which the device moves while there is surely no force. Where the force may be off there may
 /// be one in every row: the search tells whether it can have moved the device.
-fn starts_at_rest(log: &Log, number: usize, logs: usize) -> Result<(), IdentifyError> {
+fn starts_at_rest(log: &Log) -> Result<(), IdentifyError> {
     let first = log.forces.iter().position(|force| *force != [0.0; 2]);
     let mut known = [f64::NEG_INFINITY, f64::INFINITY];
     let before = log
@@ -295,13 +306,8 @@ fn starts_at_rest(log: &Log, number: usize, logs: usize) -> Result<(), IdentifyE
     for (row, [lo, hi]) in before.enumerate() {
         known = [known[0].max(*lo), known[1].min(*hi)];
         if known[0] > known[1] {
-            let of = if logs > 1 {
-                format!("log {}, ", number + 1)
-            } else {
-                String::new()
-            };
             return Err(IdentifyError::new(format!(
-                "{of}row {}: the device moves before there is a force: a log must start at rest, with no \
+                "row {}: the device moves before there is a force: a log must start at rest, with no \
                  hand on the device",
                 row + 1
             )));

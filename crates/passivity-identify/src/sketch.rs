@@ -15,13 +15,14 @@ pub(crate) fn covered(sketch: &Scene) -> Result<(), IdentifyError> {
         refused.contains(effect) || (*effect == Effect::Force && !sketch.is_unforced())
     });
     if let Some(effect) = effects.first() {
+        let error = IdentifyError::new(format!(
+            "the sketch has {}: TH-IDENT is about a device that nobody touches, under a force that is \
+             held from each sample to the next",
+            effect.name()
+        ));
         return Err(IdentifyError {
-            message: format!(
-                "the sketch has {}: TH-IDENT is about a device that nobody touches, under a force that is \
-                 held from each sample to the next",
-                effect.name()
-            ),
             is_not_covered: true,
+            ..error
         });
     }
     if sketch.motion != Motion::Dimensionless && !sketch.given.has_encoder() {

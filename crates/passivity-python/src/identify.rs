@@ -40,7 +40,8 @@ type Answer = (String, Option<String>, Option<String>, Option<String>);
 /// Why there is no answer.
 enum Failed {
     Log(TraceError),
-    Search(IdentifyError),
+    /// With the file of the log, where it is about one.
+    Search(IdentifyError, Option<String>),
     File(String),
 }
 
@@ -101,12 +102,16 @@ pub(crate) fn identify(
             },
         };
         let found = search(&sampled, &scene, &options, |steps| watch.set(steps));
-        let found = found.map_err(Failed::Search)?;
+        let found = found.map_err(|error| {
+            let log = error.log().and_then(|log| said.logs.get(log));
+            let file = log.map(|log| log.file.clone());
+            Failed::Search(error, file)
+        })?;
         answer(&found, &scene, &text, said, out.as_deref())
     })?;
     answer.map_err(|error| match error {
         Failed::Log(error) => of_trace(py, &error),
-        Failed::Search(error) => of_identification(py, &error),
+        Failed::Search(error, file) => of_identification(py, &error, file.as_deref()),
         Failed::File(message) => PyOSError::new_err(message),
     })
 }

@@ -132,8 +132,12 @@ pub(crate) fn of_trace(py: Python<'_>, error: &passivity_audit::TraceError) -> P
 pub(crate) fn of_identification(
     py: Python<'_>,
     error: &passivity_identify::IdentifyError,
+    file: Option<&str>,
 ) -> PyErr {
-    let raised = IdentificationError::new_err(error.to_string());
+    let raised = IdentificationError::new_err(match file {
+        Some(file) => format!("{file}: {error}"),
+        None => error.to_string(),
+    });
     with(py, raised, |raised| {
         raised.setattr("not_covered", error.is_not_covered())
     })

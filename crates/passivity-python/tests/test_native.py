@@ -302,7 +302,7 @@ class Identify(InFolder):
             passivity.identify(log, '[dimensionless]\nmu = "ten"\n')
         self.assertEqual((caught.exception.line, caught.exception.key), (2, "dimensionless.mu"))
         moving = self.path("moving.csv", "count,f\n0,0\n5,0\n9,0\n")
-        with self.assertRaisesRegex(passivity.IdentificationError, "row 2") as caught:
+        with self.assertRaisesRegex(passivity.IdentificationError, "moving.csv: row 2") as caught:
             passivity.identify(moving, SKETCH)
         self.assertFalse(caught.exception.not_covered)
         lag = {**ROTARY, "amplifier": {"time_constant": "1 ms"}}

@@ -2,7 +2,9 @@
 
 use passivity_audit::{Dialect, Sampled};
 use passivity_core::{BigRational, Interval, Parameter, Scalar as _};
-use passivity_identify::{Bounds, Identified, LogReport, Options, Provenance, Report, identify};
+use passivity_identify::{
+    Bounds, Identified, IdentifyError, LogReport, Options, Provenance, Report, identify,
+};
 use passivity_scene::check::{Verdict, check, enclosure};
 use passivity_scene::display::range;
 use passivity_scene::{Given, Scene};
@@ -171,8 +173,11 @@ impl Identification {
         };
         let effort = options.effort;
         let names: Vec<&str> = sources.iter().map(|source| source.name.as_str()).collect();
-        let refuse =
-            |error| CaseError::new(format!("--identification {}: {error}", names.join(", ")));
+        let refuse = |error: IdentifyError| {
+            let log = error.log().and_then(|log| names.get(log));
+            let of = log.map_or_else(|| names.join(", "), ToString::to_string);
+            CaseError::new(format!("--identification {of}: {error}"))
+        };
         let found = identify(&logs, scene, &options, |done| {
             progress(done, effort);
             true

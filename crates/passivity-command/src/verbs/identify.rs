@@ -155,7 +155,13 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
             tell(&format!("{}: {error}", args.scene.display()));
             return Ok(Exit::NotCovered);
         }
-        Err(error) => return Err(Failure::input(error)),
+        Err(error) => {
+            let log = error.log().and_then(|log| args.logs.get(log));
+            return Err(Failure::input(match log {
+                Some(path) => format!("{}: {error}", path.display()),
+                None => error.to_string(),
+            }));
+        }
     };
     #[cfg(feature = "plot")]
     if let Some(path) = &args.plot {
