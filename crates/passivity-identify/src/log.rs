@@ -2,6 +2,7 @@
 
 use num_traits::ToPrimitive as _;
 use passivity_audit::{Number, Reading, Sampled};
+use passivity_core::BigRational;
 use passivity_sim::{Double, Enclosed};
 
 use crate::directed::{add, add_down, mul};
@@ -53,11 +54,21 @@ pub(crate) struct Errors {
 impl Log {
     /// What is known of samples: a count n, or a position x of the log in ticks, says that the device is
     /// in [n − e, n + 1 + e], where e is the error of a count.
+    ///
+    /// Only how counts differ matters: they are taken from the first one on, as doubles have no room for a tick beside
+    /// a large offset of all.
     pub(crate) fn of(sampled: &Sampled, errors: Errors) -> Self {
+        let is_count = |reading: &Reading| matches!(reading, Reading::Count(_));
+        let origin = match sampled.positions.first() {
+            Some(Reading::Count(first)) if sampled.positions.iter().all(is_count) => *first,
+            _ => 0,
+        };
         let position = |reading: &Reading| {
-            let [lo, hi] = around(reading);
-            let whole_tick = matches!(reading, Reading::Count(_));
-            let hi = if whole_tick { hi } else { add(hi, 1.0) };
+            let [lo, hi] = match reading {
+                Reading::Count(n) => around_way(origin, *n),
+                reading => around(reading),
+            };
+            let hi = if is_count(reading) { hi } else { add(hi, 1.0) };
             [add_down(lo, -errors.count), add(hi, errors.count)]
         };
         let force = |reading: &Reading| {
@@ -195,6 +206,14 @@ impl Log {
         }
         [once, twice]
     }
+}
+
+/// Doubles around the tick of a count, from another count on.
+fn around_way(from: i64, to: i64) -> [f64; 2] {
+    let way = i128::from(to) - i128::from(from);
+    let ends = [way, way + 1].map(|end| BigRational::from_integer(end.into()));
+    let [lo, hi] = ends.map(|end| Enclosed::<Double>::from(&end).bounds());
+    [lo[0], hi[1]]
 }
 
 /// Doubles around what is known of a number.

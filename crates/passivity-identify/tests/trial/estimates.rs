@@ -186,3 +186,25 @@ fn an_estimate_is_found_where_the_search_found_what_fits() {
         }
     }
 }
+
+/// Only how counts differ matters, also where a double has no room for a tick beside what is common to all.
+#[test]
+fn a_common_offset_of_all_counts_changes_nothing() {
+    let (sketch, log) = shipped("push.csv");
+    let moved = |by: i64| {
+        let mut log = log.clone();
+        for reading in &mut log.positions {
+            if let Reading::Count(n) = reading {
+                *n += by;
+            }
+        }
+        identify(&[log], &sketch, &quick(), |_| true).unwrap()
+    };
+    let known = moved(0);
+    assert!(known.is_informative());
+    for by in [1 << 40, 1 << 50, -(1 << 62)] {
+        let found = moved(by);
+        assert_eq!(found.parameters, known.parameters, "{by}");
+        assert_eq!(found.lacks, known.lacks, "{by}");
+    }
+}
