@@ -90,7 +90,9 @@ impl Audit {
         let moving = moved.iter().filter(|_| !agree).flat_map(of_velocity);
         let found = task.layout.beside.finding.clone().into_iter().chain(forced);
         let clock = of_clock(account.timing.short, account.intervals);
-        let wrapped = findings.wrapped.finding(task.layout, &task.periods);
+        // The energy of its spring is counted from there.
+        let must = ", so that it is 0 where the wall begins";
+        let wrapped = findings.wrapped.finding(task.layout, &task.periods, must);
         let force = task.layout.force.map(|column| task.layout.name(column));
         let held = findings.held.findings(&force.unwrap_or_default());
         let found = found.chain(clock).chain(held).chain(moving).chain(wrapped);

@@ -74,7 +74,7 @@ pub fn samples(path: &Path, scene: &Scene, dialect: &Dialect) -> Result<Sampled,
         append(&mut all, &mut time, &chunk, &layout)?;
     }
     let wrapped = wraps.map(|wraps| wraps.finish(&layout, true));
-    if let Some(finding) = wrapped.and_then(|wrapped| wrapped.finding(&layout, &periods)) {
+    if let Some(finding) = wrapped.and_then(|it| it.finding(&layout, &periods, "")) {
         // No device moves so.
         let message = format!("{}; {}", finding.says, finding.fix);
         return Err(TraceError::new("wrap", message));

@@ -352,8 +352,13 @@ impl Wrapped {
         self.first = self.first.or(first);
     }
 
-    /// What is said of it.
-    pub(crate) fn finding(&self, layout: &Layout, periods: &Periods) -> Option<Finding> {
+    /// What is said of it, and what unwrapped positions must be beside that.
+    pub(crate) fn finding(
+        &self,
+        layout: &Layout,
+        periods: &Periods,
+        must: &str,
+    ) -> Option<Finding> {
         let first = self.first?;
         let what = position(layout.form);
         let [from, to, period] = [first.from, first.to, first.period].map(f64::from_bits);
@@ -376,7 +381,7 @@ impl Wrapped {
                 row.saturating_sub(1)
             ),
             fix: format!(
-                "unwrap the {what} in the log, so that it is 0 where the wall begins: {} {by} from row {row} on, or {} {by} up to \
+                "unwrap the {what} in the log{must}: {} {by} from row {row} on, or {} {by} up to \
                  row {}",
                 if to < from { "add" } else { "take off" },
                 if to < from { "take off" } else { "add" },
