@@ -9,7 +9,7 @@ use passivity_scene::{Motion, Scene};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::identified::{Bounds, Identified};
+use crate::identified::{Bounds, Identified, IdentifyError};
 use crate::lacks::Lack;
 
 /// What the logs say of the device. Figures are in SI units, or in K, T and Δ where the sketch is
@@ -45,6 +45,26 @@ pub struct LogReport {
     pub file: String,
     /// The SHA-256 of the file, in hexadecimal.
     pub sha256: String,
+}
+
+impl LogReport {
+    /// Refuses logs of which one is there twice, whatever it is called: a log is one experiment.
+    ///
+    /// # Errors
+    ///
+    /// [`IdentifyError`] with the names of both.
+    pub fn once(logs: &[Self]) -> Result<(), IdentifyError> {
+        for (number, log) in logs.iter().enumerate() {
+            let mut before = logs.iter().take(number);
+            if let Some(same) = before.find(|other| other.sha256 == log.sha256) {
+                return Err(IdentifyError::new(format!(
+                    "{}: this is the same log as {}: give it once",
+                    log.file, same.file
+                )));
+            }
+        }
+        Ok(())
+    }
 }
 
 /// What is known of each parameter.

@@ -88,6 +88,7 @@ pub(crate) fn identify(
             });
             sampled.push(log);
         }
+        LogReport::once(&said.logs).map_err(|error| Failed::Search(error, None))?;
         let rows = sampled.iter().map(|log| log.positions.len()).sum();
         let options = Options {
             count_error: asked.count_error,

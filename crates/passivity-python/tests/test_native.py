@@ -269,7 +269,8 @@ class Identify(InFolder):
             self.assertEqual(passivity.identify(log, other, effort=5).parameters, found.parameters)
         # A picture, a table, and two logs that say no less than one.
         self.assertTrue(found.svg().startswith("<svg") and found.svg() in found._repr_html_())
-        both = passivity.identify([log, log], SKETCH, effort=10).parameters.coulomb
+        shorter = self.path("shorter.csv", "\n".join(pushed().split("\n")[:-2]) + "\n")
+        both = passivity.identify([log, shorter], SKETCH, effort=10).parameters.coulomb
         self.assertLessEqual(both.hi - both.lo, (coulomb.hi - coulomb.lo) * 1.01)
         if pyarrow is not None:
             self.assertEqual(found.to_arrow()["parameter"].to_pylist(), ["viscous", "coulomb"])
@@ -305,6 +306,8 @@ class Identify(InFolder):
         with self.assertRaisesRegex(passivity.IdentificationError, "moving.csv: row 2") as caught:
             passivity.identify(moving, SKETCH)
         self.assertFalse(caught.exception.not_covered)
+        with self.assertRaisesRegex(passivity.IdentificationError, "the same log as"):
+            passivity.identify([log, log], SKETCH)
         lag = {**ROTARY, "amplifier": {"time_constant": "1 ms"}}
         rotary = self.path("rotary.csv", "count,f [N m]\n0,0\n0,0\n")
         with self.assertRaises(passivity.IdentificationError) as caught:

@@ -244,5 +244,6 @@ fn logs(args: &Args, sketch: &Scene) -> Result<(Vec<Sampled>, Vec<LogReport>), F
             sha256: sha256.map_err(|error| Failure::io(path.display(), &error))?,
         });
     }
+    LogReport::once(&files).map_err(Failure::input)?;
     Ok((logs, files))
 }
