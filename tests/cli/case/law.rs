@@ -85,3 +85,21 @@ fn forces_that_tell_nothing_of_the_wall_are_no_support() {
         assert!(!read(&dir, "case/case.html").contains("the recorded force is that of"));
     }
 }
+
+/// Velocities of four times the motion: the scene may have four times as many counts as the device.
+#[test]
+fn a_velocity_to_another_scale_leaves_the_case_open() {
+    let dir = Dir::new();
+    let path = dir.write("scene.toml", SCENE);
+    for (scale, outcome) in [(1, "supports"), (4, "open")] {
+        let mut text = "tau,xi,v\n".to_owned();
+        for i in 0..40 {
+            text += &format!("{i},{i}/2,{}\n", f64::from(scale) / 2.0);
+        }
+        let log = dir.write("run.csv", &text);
+        let run = case(&dir, &path, &["--log", &log]);
+        let found = &scene(&run)["recorded"]["logs"][0];
+        assert_eq!(found["evidence"]["outcome"], outcome, "{found}");
+        assert_eq!(run.code, i32::from(outcome != "supports"));
+    }
+}

@@ -47,7 +47,7 @@ impl Finding {
     /// of the law.
     pub(crate) fn leaves_open(&self, applied: bool) -> bool {
         match self.kind {
-            "wrap" | "fast_clock" => true,
+            "wrap" | "fast_clock" | "velocity_scale" => true,
             "missed_force" | "old_force" | "stored_energy" => applied,
             "oversampled" => !applied,
             _ => false,
@@ -385,43 +385,49 @@ pub(crate) fn of_clock(short: [u64; 2], intervals: u64) -> Option<Finding> {
 }
 
 /// What stands out in the velocities of a log.
-pub(crate) fn of_velocity(moved: &Moved) -> Vec<Finding> {
-    let Some(Fitted {
+pub(crate) fn of_velocity(moved: &Moved, form: Form) -> Option<Finding> {
+    let Fitted {
         delay,
         scale,
         residual,
         ..
-    }) = moved.fit
-    else {
-        return Vec::new();
-    };
+    } = moved.fit?;
     // Velocities from an encoder are noisy: a tenth of their size is usual, and a filter delays them.
     const NOISY: f64 = 0.5;
+    // What ticks add to Σ w² is at most that share of it squared, so a scale of one is found as 3/4 at the least.
+    const OFF: f64 = 1.5;
     if residual > NOISY {
-        return vec![Finding {
+        return Some(Finding {
             kind: "velocity",
             says: format!(
                 "the velocity is not that of the positions: {} % of it is left beside the nearest multiple",
                 significant(100.0 * residual)
             ),
             fix: "check which columns are the position and the velocity".to_owned(),
-        }];
+        });
     }
-    let off = scale < 0.0 || (scale.abs() - 1.0).abs() > NOISY;
-    if !off {
-        return Vec::new();
+    if scale > 0.0 && (1.0 / OFF..=OFF).contains(&scale) {
+        return None;
     }
-    vec![Finding {
-        kind: "velocity",
+    let late = match delay {
+        0 => String::new(),
+        1 => ", 1 sample late".to_owned(),
+        delay => format!(", {delay} samples late"),
+    };
+    let ticks = match form {
+        Form::Count | Form::Xi => {
+            ", and the counts per revolution, or the resolution, of its encoder"
+        }
+        Form::X | Form::Ledger => "",
+    };
+    Some(Finding {
+        kind: "velocity_scale",
         says: format!(
-            "the velocity is {} times that of the positions, {} late",
-            significant(scale),
-            match delay {
-                1 => "1 sample".to_owned(),
-                delay => format!("{delay} samples"),
-            }
+            "the velocity is {} times that of the positions{late}",
+            significant(scale)
         ),
-        fix: "check the units and signs of the position, the time and the velocity, and the sampling rate of the scene"
-            .to_owned(),
-    }]
+        fix: format!(
+            "check the units and signs of the position, the time and the velocity, and the sampling rate of the scene{ticks}"
+        ),
+    })
 }

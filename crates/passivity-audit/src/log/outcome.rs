@@ -87,7 +87,10 @@ impl Audit {
             .iter()
             .flat_map(|a| of_force(a, task.layout, scene));
         let agree = findings.velocities.as_ref().is_some_and(Velocities::agree);
-        let moving = moved.iter().filter(|_| !agree).flat_map(of_velocity);
+        let moving = moved
+            .iter()
+            .filter(|_| !agree)
+            .filter_map(|moved| of_velocity(moved, task.layout.form));
         let found = task.layout.beside.finding.clone().into_iter().chain(forced);
         let clock = of_clock(account.timing.short, account.intervals);
         // The energy of its spring is counted from there.

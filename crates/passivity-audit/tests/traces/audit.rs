@@ -5,6 +5,7 @@ mod forces;
 mod mistakes;
 mod reports;
 mod unaccounted;
+mod velocities;
 
 use std::fmt::Write as _;
 

@@ -132,7 +132,7 @@ impl Log {
             .filter(move |finding| match finding.kind {
                 "delay" | "sign" | "offset" | "other_force" => true,
                 "scale" => !scale_is_tolerated,
-                // Forces that may be the law's, velocities that nothing is computed from, how the file was read.
+                // Forces that may be the law's, velocities, which may be wrong themselves, how the file was read.
                 _ => false,
             })
     }

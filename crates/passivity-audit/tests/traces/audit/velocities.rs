@@ -1,0 +1,103 @@
+//! Logs that have the velocity: what is said where it is not that of the positions, and what that leaves open.
+
+use std::f64::consts::{PI, TAU};
+use std::fmt::Write as _;
+
+use passivity_audit::{Audit, Verdict};
+
+use super::{audited, scene};
+
+/// A knob of 8192 counts a revolution, with viscous and Coulomb friction.
+fn knob(viscous: &str, coulomb: &str) -> passivity_scene::Scene {
+    scene(&format!(
+        "[device]\nviscous = \"{viscous} N m s/rad\"\ncoulomb = \"{coulomb} N m\"\n[sampling]\nrate = \"1 kHz\"\n\
+         [encoder]\ncounts_per_revolution = 8192\n[wall]\nstiffness = \"0.06 N m/rad\"\n"
+    ))
+}
+
+/// A swing of 4 Hz by 0.6 rad each way, of a device with so many counts a revolution, with velocities made of its own.
+fn swing(counts: f64, velocity: impl Fn(usize, f64) -> f64) -> String {
+    let mut csv = "t [s],count,v [rad/s]\n".to_owned();
+    for i in 0..500 {
+        let (sin, cos) = (8.0 * PI * 1e-3 * i as f64).sin_cos();
+        let count = (0.6 * sin * counts / TAU).floor();
+        let velocity = velocity(i, 0.6 * 8.0 * PI * cos);
+        writeln!(csv, "{:.3},{count},{velocity:.4}", 1e-3 * i as f64).unwrap();
+    }
+    csv
+}
+
+fn kinds(audit: &Audit) -> Vec<&'static str> {
+    audit.report().findings.iter().map(|it| it.kind).collect()
+}
+
+/// A scene with four times as many counts as the device has four times the friction of a tick.
+#[test]
+fn a_velocity_to_another_scale_leaves_open_what_would_hold() {
+    type Velocity<'a> = &'a dyn Fn(usize, f64) -> f64;
+    let noise = |i: usize| if i.is_multiple_of(2) { 11.0 } else { -11.0 };
+    let cases: [(f64, Velocity<'_>, Option<&str>); 10] = [
+        (8192.0, &|_, v| v, None),
+        (8192.0, &|_, v| 1.4 * v, None),
+        (8192.0, &|_, v| 0.7 * v, None),
+        // Noise of some 100 % is no scale.
+        (8192.0, &|i, v| v + noise(i), Some("velocity")),
+        (8192.0, &|_, v| -v, Some("velocity_scale")),
+        (8192.0, &|_, v| 0.5 * v, Some("velocity_scale")),
+        (8192.0, &|_, v| 2.0 * v, Some("velocity_scale")),
+        (8192.0, &|_, v| v.to_degrees(), Some("velocity_scale")),
+        // Four and two counts of the scene for one of the device.
+        (2048.0, &|_, v| v, Some("velocity_scale")),
+        (16384.0, &|_, v| v, Some("velocity_scale")),
+    ];
+    for (case, (counts, velocity, kind)) in cases.iter().enumerate() {
+        let csv = swing(*counts, velocity);
+        for (viscous, expected) in [("4e-5", Verdict::Holds), ("0", Verdict::Fails)] {
+            let coulomb = if viscous == "0" { "0" } else { "4.6e-5" };
+            let audit = audited(csv.as_bytes(), &knob(viscous, coulomb), 1, 0).0;
+            assert_eq!(
+                kinds(&audit),
+                kind.iter().copied().collect::<Vec<_>>(),
+                "{case}"
+            );
+            let opened = *kind == Some("velocity_scale") && expected == Verdict::Holds;
+            let expected = if opened { Verdict::Depends } else { expected };
+            assert_eq!(audit.verdict(), expected, "{case}");
+            let headline = audit.report().headline();
+            assert_eq!(headline.contains("a finding leaves open"), opened, "{case}");
+        }
+    }
+}
+
+/// Where ticks are read, their size may be what is wrong; of angles it is not.
+#[test]
+fn what_puts_a_velocity_right_is_named() {
+    let counts = swing(2048.0, |_, v| v);
+    let audit = audited(counts.as_bytes(), &knob("4e-5", "4.6e-5"), 1, 0).0;
+    let [finding] = &audit.report().findings[..] else {
+        panic!("{}", audit.to_text());
+    };
+    // The ticks of a count change the factor by some percent.
+    assert!(finding.says.contains("the velocity is 3.9"), "{finding:?}");
+    let encoder = "the counts per revolution, or the resolution, of its encoder";
+    assert!(finding.fix.contains(encoder), "{finding:?}");
+    let mut angles = "t [s],x [rad],v [rad/s]\n".to_owned();
+    for i in 0..100 {
+        writeln!(
+            angles,
+            "{:.3},{:.3},4",
+            1e-3 * f64::from(i),
+            1e-3 * f64::from(i)
+        )
+        .unwrap();
+    }
+    let audit = audited(angles.as_bytes(), &knob("4e-5", "4.6e-5"), 1, 0).0;
+    let [finding] = &audit.report().findings[..] else {
+        panic!("{}", audit.to_text());
+    };
+    assert_eq!(
+        finding.says,
+        "the velocity is 4 times that of the positions"
+    );
+    assert!(!finding.fix.contains("encoder"), "{finding:?}");
+}
