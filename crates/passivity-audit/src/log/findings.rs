@@ -386,29 +386,28 @@ pub(crate) fn of_clock(short: [u64; 2], intervals: u64) -> Option<Finding> {
 
 /// What stands out in the velocities of a log.
 pub(crate) fn of_velocity(moved: &Moved, form: Form) -> Option<Finding> {
-    let Fitted {
-        delay,
-        scale,
-        residual,
-        ..
-    } = moved.fit?;
     // Velocities from an encoder are noisy: a tenth of their size is usual, and a filter delays them.
     const NOISY: f64 = 0.5;
-    // What ticks add to Σ w² is at most that share of it squared, so a scale of one is found as 3/4 at the least.
+    // Of what they are compared with at most a quarter is noise then, in squares, by which a scale of one is found as 3/4.
     const OFF: f64 = 1.5;
-    if residual > NOISY {
-        return Some(Finding {
-            kind: "velocity",
-            says: format!(
-                "the velocity is not that of the positions: {} % of it is left beside the nearest multiple",
-                significant(100.0 * residual)
-            ),
-            fix: "check which columns are the position and the velocity".to_owned(),
-        });
-    }
-    if scale > 0.0 && (1.0 / OFF..=OFF).contains(&scale) {
-        return None;
-    }
+    let fit = moved.fit.filter(|_| !moved.near);
+    let is_told = |fit: &Fitted| fit.residual <= NOISY;
+    let is_off = |fit: &Fitted| !(1.0 / OFF..=OFF).contains(&fit.scale);
+    let long = || moved.long_fit.filter(|fit| is_told(fit) && is_off(fit));
+    let (delay, scale) = match (fit, fit.filter(is_told).or_else(long)) {
+        (_, Some(told)) if is_off(&told) => (told.delay, told.scale),
+        (_, Some(_)) | (None, None) => return None,
+        (Some(fit), None) => {
+            return Some(Finding {
+                kind: "velocity",
+                says: format!(
+                    "the velocity is not that of the positions: {} % of it is left beside the nearest multiple",
+                    significant(100.0 * fit.residual)
+                ),
+                fix: "check which columns are the position and the velocity".to_owned(),
+            });
+        }
+    };
     let late = match delay {
         0 => String::new(),
         1 => ", 1 sample late".to_owned(),

@@ -20,7 +20,6 @@ use crate::log::running::RunningSum;
 use crate::log::step::undefined;
 use crate::log::supply::potential;
 use crate::log::task::Task;
-use crate::log::velocity::Velocities;
 use crate::number::Number;
 use crate::reading::GRID_BITS;
 use crate::run::{Tallies, Totals, tightened};
@@ -82,14 +81,14 @@ impl Audit {
         let moved = findings.velocities.as_ref().map(|velocities| Moved {
             compared: velocities.compared,
             fit: velocities.fit(),
+            long_fit: velocities.long_fit(),
+            near: velocities.agree(),
         });
         let forced = agreement
             .iter()
             .flat_map(|a| of_force(a, task.layout, scene));
-        let agree = findings.velocities.as_ref().is_some_and(Velocities::agree);
         let moving = moved
             .iter()
-            .filter(|_| !agree)
             .filter_map(|moved| of_velocity(moved, task.layout.form));
         let found = task.layout.beside.finding.clone().into_iter().chain(forced);
         let clock = of_clock(account.timing.short, account.intervals);

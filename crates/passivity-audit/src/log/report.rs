@@ -298,6 +298,12 @@ pub struct Moved {
     /// The multiple of the mean velocities between samples that they come nearest to; `None` when nothing
     /// moved.
     pub fit: Option<Fitted>,
+    /// The multiple over 64 samples together, of which ticks and noise are a smaller part; `None` of a shorter trace, and when
+    /// nothing moved.
+    pub long_fit: Option<Fitted>,
+    /// Whether the velocities are as near to the mean velocities between samples as these are to each other.
+    #[serde(skip)]
+    pub near: bool,
 }
 
 /// A delay, a scale and where the wall is.

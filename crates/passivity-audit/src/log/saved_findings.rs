@@ -38,6 +38,7 @@ struct SavedVelocities {
     squares: Option<String>,
     spare: Option<String>,
     products: Vec<[Option<String>; 2]>,
+    long: [Option<String>; 3],
 }
 
 fn exact_sum(text: &Option<String>) -> Result<ExactSum, TraceError> {
@@ -142,6 +143,7 @@ impl SavedFindings {
                     .iter()
                     .map(|sums| sums.each_ref().map(ExactSum::to_text))
                     .collect(),
+                long: found.long.each_ref().map(ExactSum::to_text),
             }),
             wrapped: x.wrapped,
             head,
@@ -212,6 +214,9 @@ impl SavedFindings {
                 }
                 for (sums, [mixed, own]) in found.products.iter_mut().zip(&saved.products) {
                     *sums = [exact_sum(mixed)?, exact_sum(own)?];
+                }
+                for (sum, saved) in found.long.iter_mut().zip(&saved.long) {
+                    *sum = exact_sum(saved)?;
                 }
                 Some(found)
             }

@@ -17,6 +17,11 @@ use crate::number::{Number, difference};
 /// The longest lag that is tried, in samples.
 const LAGS: usize = 8;
 
+/// Over as many samples velocities are compared beside that, as groups of groups: ticks and noise are so much less of what a slow
+/// device moves then.
+const GROUP: usize = 8;
+const LONG: usize = GROUP * GROUP;
+
 /// The velocities of a log compared with the mean velocities between its samples.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Velocities {
@@ -24,6 +29,11 @@ pub(crate) struct Velocities {
     latest: Option<(f64, f64, Option<Number>)>,
     /// Mean velocities, the latest first, in ticks per period.
     means: VecDeque<f64>,
+    /// What the velocities come to in each of the latest intervals, in ticks, and in groups of intervals, the latest first.
+    ways: VecDeque<f64>,
+    groups: VecDeque<f64>,
+    /// The latest positions, the latest first, in ticks.
+    positions: VecDeque<f64>,
     pub(crate) compared: u64,
     /// By lag, Σ v·w and Σ w², with w the mean velocity.
     pub(crate) products: [[ExactSum; 2]; LAGS + 1],
@@ -31,6 +41,8 @@ pub(crate) struct Velocities {
     pub(crate) squares: ExactSum,
     /// Σ (w′ − w)² − (v − w)², with w and w′ the mean velocities before and after.
     pub(crate) spare: ExactSum,
+    /// Over [`LONG`] samples, Σ s², Σ s·d and Σ d², with s what the velocities come to and d what was moved.
+    pub(crate) long: [ExactSum; 3],
 }
 
 impl Velocities {
@@ -56,6 +68,7 @@ impl Velocities {
                 }
                 None => 1.0,
             };
+            self.go_on(position, (left + velocity) / 2.0 * lasts);
             self.means.push_front((position - from) / lasts);
             self.means.truncate(LAGS + 1);
             if self.means.len() <= LAGS {
@@ -76,8 +89,29 @@ impl Velocities {
         Ok(())
     }
 
+    /// Goes on to a position, to which the velocities come by this way.
+    fn go_on(&mut self, position: f64, way: f64) {
+        self.ways.push_front(way);
+        self.ways.truncate(GROUP);
+        self.groups.push_front(self.ways.iter().sum());
+        self.groups.truncate(LONG);
+        self.positions.push_front(position);
+        self.positions.truncate(LONG + 1);
+        let Some(from) = self.positions.get(LONG) else {
+            return;
+        };
+        let (moved, way) = (
+            position - from,
+            self.groups.iter().step_by(GROUP).sum::<f64>(),
+        );
+        let [squares, mixed, own] = &mut self.long;
+        squares.add(way * way);
+        mixed.add(way * moved);
+        own.add(moved * moved);
+    }
+
     /// How many samples before one its velocity is compared by.
-    pub(crate) const HISTORY: usize = LAGS + 2;
+    pub(crate) const HISTORY: usize = LONG + 2;
 
     /// Forgets what was found, not what came before the next velocity.
     pub(crate) fn forget(&mut self) {
@@ -85,6 +119,7 @@ impl Velocities {
         self.products = Default::default();
         self.squares = ExactSum::default();
         self.spare = ExactSum::default();
+        self.long = Default::default();
     }
 
     /// Goes on with what was found of the velocities that follow.
@@ -93,7 +128,8 @@ impl Velocities {
         self.squares.add_sum(&other.squares);
         self.spare.add_sum(&other.spare);
         let products = self.products.iter_mut().flatten();
-        for (own, other) in products.zip(other.products.iter().flatten()) {
+        let products = products.chain(&mut self.long);
+        for (own, other) in products.zip(other.products.iter().flatten().chain(&other.long)) {
             own.add_sum(other);
         }
     }
@@ -121,5 +157,10 @@ impl Velocities {
                 Fitted::nearest(delay, [squares, mixed, own])
             });
         fits.min_by(|a, b| a.residual.total_cmp(&b.residual))
+    }
+
+    /// The multiple over [`LONG`] samples; `None` of a shorter log, and when nothing moved.
+    pub(crate) fn long_fit(&self) -> Option<Fitted> {
+        Fitted::nearest(0, self.long.each_ref().map(ExactSum::value))
     }
 }

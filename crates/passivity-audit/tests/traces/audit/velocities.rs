@@ -69,6 +69,29 @@ fn a_velocity_to_another_scale_leaves_open_what_would_hold() {
     }
 }
 
+/// Of a slow device each step is a tick or none, whatever its velocity: over more rows it is told.
+#[test]
+fn the_velocity_of_a_slow_device_is_told_over_more_rows() {
+    for (counts, expected) in [(8192.0, None), (2048.0, Some("velocity_scale"))] {
+        for speed in [2.0, 0.5, 0.1] {
+            // Up to speed · 8192/2π ticks of the scene a second, so less than 3 a row.
+            let mut csv = "t [s],count,v [rad/s]\n".to_owned();
+            for i in 0..3000 {
+                let (time, turn) = (1e-3 * f64::from(i), 0.5 * TAU);
+                let count = (speed / turn * (turn * time).sin() * counts / TAU).floor();
+                writeln!(csv, "{time:.3},{count},{:.5}", speed * (turn * time).cos()).unwrap();
+            }
+            let whole = audited(csv.as_bytes(), &knob("4e-5", "4.6e-5"), 1, 0).0;
+            assert_eq!(kinds(&whole), Vec::from_iter(expected), "{speed}");
+            let opened = whole.verdict() == Verdict::Depends;
+            assert_eq!(opened, expected.is_some(), "{speed}");
+            // However it is cut.
+            let cut = audited(csv.as_bytes(), &knob("4e-5", "4.6e-5"), 2, 300).0;
+            assert_eq!(cut.to_json()["velocity"], whole.to_json()["velocity"]);
+        }
+    }
+}
+
 /// Where ticks are read, their size may be what is wrong; of angles it is not.
 #[test]
 fn what_puts_a_velocity_right_is_named() {
