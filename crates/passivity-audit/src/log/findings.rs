@@ -3,14 +3,14 @@
 
 use passivity_core::{BigRational, Parameter};
 use passivity_scene::check::unit_of;
-use passivity_scene::display::{Rounding, figures, rounded, significant};
+use passivity_scene::display::{Rounding, figures, rounded};
 use passivity_scene::number::nearest_f64;
 use passivity_scene::{Motion, Scene};
 use serde::Serialize;
 
 use crate::log::comparison::LAGS;
 use crate::log::layout::{Form, Layout};
-use crate::log::report::{Agreement, Fitted, Moved, Supplied};
+use crate::log::report::{Agreement, Fitted, Supplied};
 use crate::log::text::energy_unit;
 use crate::log::timing::SHORT;
 use crate::shell::shell_word;
@@ -381,52 +381,5 @@ pub(crate) fn of_clock(short: [u64; 2], intervals: u64) -> Option<Finding> {
                 "log one row for each sample, or the force beside the position; or {unit}"
             ),
         },
-    })
-}
-
-/// What stands out in the velocities of a log.
-pub(crate) fn of_velocity(moved: &Moved, form: Form) -> Option<Finding> {
-    // Velocities from an encoder are noisy: a tenth of their size is usual, and a filter delays them.
-    const NOISY: f64 = 0.5;
-    // Of what they are compared with at most a quarter is noise then, in squares, by which a scale of one is found as 3/4.
-    const OFF: f64 = 1.5;
-    let fit = moved.fit.filter(|_| !moved.near);
-    let is_told = |fit: &Fitted| fit.residual <= NOISY;
-    let is_off = |fit: &Fitted| !(1.0 / OFF..=OFF).contains(&fit.scale);
-    let long = || moved.long_fit.filter(|fit| is_told(fit) && is_off(fit));
-    let (delay, scale) = match (fit, fit.filter(is_told).or_else(long)) {
-        (_, Some(told)) if is_off(&told) => (told.delay, told.scale),
-        (_, Some(_)) | (None, None) => return None,
-        (Some(fit), None) => {
-            return Some(Finding {
-                kind: "velocity",
-                says: format!(
-                    "the velocity is not that of the positions: {} % of it is left beside the nearest multiple",
-                    significant(100.0 * fit.residual)
-                ),
-                fix: "check which columns are the position and the velocity".to_owned(),
-            });
-        }
-    };
-    let late = match delay {
-        0 => String::new(),
-        1 => ", 1 sample late".to_owned(),
-        delay => format!(", {delay} samples late"),
-    };
-    let ticks = match form {
-        Form::Count | Form::Xi => {
-            ", and the counts per revolution, or the resolution, of its encoder"
-        }
-        Form::X | Form::Ledger => "",
-    };
-    Some(Finding {
-        kind: "velocity_scale",
-        says: format!(
-            "the velocity is {} times that of the positions{late}",
-            significant(scale)
-        ),
-        fix: format!(
-            "check the units and signs of the position, the time and the velocity, and the sampling rate of the scene{ticks}"
-        ),
     })
 }

@@ -9,17 +9,18 @@ use crate::log::account::{Place, Point};
 use crate::log::certificate::Certificate;
 use crate::log::comparison::Comparison;
 use crate::log::error::TraceError;
-use crate::log::findings::{Finding, of_clock, of_force, of_stored, of_velocity};
+use crate::log::findings::{Finding, of_clock, of_force, of_stored};
 use crate::log::found::Findings;
 use crate::log::layout::Form;
 use crate::log::report::{
-    Agreement, ByLaw, Drawn, Firsts, Force, Found, Judged, Least, Moved, Observer, Report, Running,
+    Agreement, ByLaw, Drawn, Firsts, Force, Found, Judged, Least, Observer, Report, Running,
     Sampling, Shown, Supplied, UnendedRow, Verdict,
 };
 use crate::log::running::RunningSum;
 use crate::log::step::undefined;
 use crate::log::supply::potential;
 use crate::log::task::Task;
+use crate::log::velocity::Velocities;
 use crate::number::Number;
 use crate::reading::GRID_BITS;
 use crate::run::{Tallies, Totals, tightened};
@@ -78,18 +79,13 @@ impl Audit {
             Some(comparison) => Some(Agreement::new(comparison).ok_or_else(undefined)?),
             None => None,
         };
-        let moved = findings.velocities.as_ref().map(|velocities| Moved {
-            compared: velocities.compared,
-            fit: velocities.fit(),
-            long_fit: velocities.long_fit(),
-            near: velocities.agree(),
-        });
+        let moved = findings.velocities.as_ref().map(Velocities::moved);
         let forced = agreement
             .iter()
             .flat_map(|a| of_force(a, task.layout, scene));
         let moving = moved
             .iter()
-            .filter_map(|moved| of_velocity(moved, task.layout.form));
+            .filter_map(|moved| moved.finding(task.layout.form));
         let found = task.layout.beside.finding.clone().into_iter().chain(forced);
         let clock = of_clock(account.timing.short, account.intervals);
         // The energy of its spring is counted from there.

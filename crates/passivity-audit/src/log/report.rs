@@ -295,6 +295,8 @@ pub struct ByLaw {
 pub struct Moved {
     /// How many velocities were compared.
     pub compared: u64,
+    /// Whether they are zero throughout, while the positions move.
+    pub zero: bool,
     /// The multiple of the mean velocities between samples that they come nearest to; `None` when nothing
     /// moved.
     pub fit: Option<Fitted>,

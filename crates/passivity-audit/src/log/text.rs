@@ -40,6 +40,12 @@ impl Report {
                 out.put("under the wall's law", law.words());
             }
         }
+        let is_moved = |kind: &str| kind.contains("velocity");
+        if let (Some(moved), true) = (&self.velocity, self.samples > 0)
+            && !self.findings.iter().any(|finding| is_moved(finding.kind))
+        {
+            out.put("velocity", &moved.to_text());
+        }
         for finding in &self.findings {
             out.put("finding", &finding.says);
             out.put("", &finding.fix);

@@ -5,11 +5,14 @@
 
 use std::collections::VecDeque;
 
+use passivity_scene::display::significant;
+
 use crate::log::chunk::Chunk;
 use crate::log::error::TraceError;
 use crate::log::exact::ExactSum;
-use crate::log::layout::Layout;
-use crate::log::report::Fitted;
+use crate::log::findings::Finding;
+use crate::log::layout::{Form, Layout};
+use crate::log::report::{Fitted, Moved};
 use crate::log::running::{near_number, near_reading};
 use crate::log::step::undefined;
 use crate::number::{Number, difference};
@@ -134,18 +137,34 @@ impl Velocities {
         }
     }
 
+    /// What is found.
+    pub(crate) fn moved(&self) -> Moved {
+        let [_, _, long] = self.long.each_ref().map(ExactSum::value);
+        let [[_, own], ..] = self.products.each_ref();
+        let near = self.agree();
+        // Around one place positions are as far apart over many samples as over one.
+        let moves = own.value() > 0.0 && (!near || long > 4.0 * own.value());
+        Moved {
+            compared: self.compared,
+            zero: moves && self.squares.value() == 0.0,
+            fit: self.fit(),
+            long_fit: self.long_fit(),
+            near,
+        }
+    }
+
     /// Whether the velocities are those of the motion as far as its samples tell.
     ///
     /// A velocity that rises or falls all the time is at a sample between the mean velocities before and after
     /// it, and so no farther from the one than the other is. Velocities that as a whole are no farther need no
     /// lag, sign or scale, whatever else they are near to.
-    pub(crate) fn agree(&self) -> bool {
+    fn agree(&self) -> bool {
         self.spare.value() >= 0.0
     }
 
     /// The multiple of the mean velocities, at some lag where they do not [`agree`](Self::agree), that the
     /// velocities come nearest to; `None` when nothing moved.
-    pub(crate) fn fit(&self) -> Option<Fitted> {
+    fn fit(&self) -> Option<Fitted> {
         let squares = self.squares.value();
         let fits = self
             .products
@@ -160,7 +179,93 @@ impl Velocities {
     }
 
     /// The multiple over [`LONG`] samples; `None` of a shorter log, and when nothing moved.
-    pub(crate) fn long_fit(&self) -> Option<Fitted> {
+    fn long_fit(&self) -> Option<Fitted> {
         Fitted::nearest(0, self.long.each_ref().map(ExactSum::value))
+    }
+}
+
+/// Velocities from an encoder are noisy: a tenth of their size is usual, and a filter delays them.
+const NOISY: f64 = 0.5;
+
+/// Of what they are compared with at most a quarter is noise then, in squares, by which a scale of one is found as 3/4.
+const OFF: f64 = 1.5;
+
+fn is_told(fit: &Fitted) -> bool {
+    fit.residual <= NOISY
+}
+
+fn is_off(fit: &Fitted) -> bool {
+    !(1.0 / OFF..=OFF).contains(&fit.scale)
+}
+
+impl Moved {
+    /// What stands out in the velocities of a log.
+    pub(crate) fn finding(&self, form: Form) -> Option<Finding> {
+        if self.zero {
+            return Some(Finding {
+                kind: "zero_velocity",
+                says: "the velocity is zero throughout, while the positions move: is it the right column?".to_owned(),
+                fix: "check that the column is the velocity that was measured; `--columns` names another".to_owned(),
+            });
+        }
+        let fit = self.fit.filter(|_| !self.near);
+        let long = || self.long_fit.filter(|fit| is_told(fit) && is_off(fit));
+        let (delay, scale) = match (fit, fit.filter(is_told).or_else(long)) {
+            (_, Some(told)) if is_off(&told) => (told.delay, told.scale),
+            (_, Some(_)) | (None, None) => return None,
+            (Some(fit), None) => {
+                return Some(Finding {
+                    kind: "velocity",
+                    says: format!(
+                        "the velocity is not that of the positions: {} % of it is left beside the nearest multiple",
+                        significant(100.0 * fit.residual)
+                    ),
+                    fix: "check which columns are the position and the velocity".to_owned(),
+                });
+            }
+        };
+        let late = match delay {
+            0 => String::new(),
+            1 => ", 1 sample late".to_owned(),
+            delay => format!(", {delay} samples late"),
+        };
+        let ticks = match form {
+            Form::Count | Form::Xi => {
+                ", and the counts per revolution, or the resolution, of its encoder"
+            }
+            Form::X | Form::Ledger => "",
+        };
+        Some(Finding {
+            kind: "velocity_scale",
+            says: format!(
+                "the velocity is {} times that of the positions{late}",
+                significant(scale)
+            ),
+            fix: format!(
+                "check the units and signs of the position, the time and the velocity, and the sampling rate of the \
+                 scene{ticks}"
+            ),
+        })
+    }
+
+    /// What is said of the velocities where nothing stands out.
+    pub(crate) fn to_text(&self) -> String {
+        let compared = self.compared;
+        let fits = [self.fit, self.long_fit];
+        if compared == 0 {
+            "is not compared with the positions, of which there are too few".to_owned()
+        } else if fits.iter().all(Option::is_none) {
+            "is not compared with the positions, which stay where they are".to_owned()
+        } else if fits
+            .iter()
+            .flatten()
+            .any(|fit| is_told(fit) && !is_off(fit))
+        {
+            format!("agrees with the positions, compared in {compared} rows")
+        } else {
+            format!(
+                "is not told from that of the positions in {compared} rows, whose steps are too coarse or too few"
+            )
+        }
     }
 }

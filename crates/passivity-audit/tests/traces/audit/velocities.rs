@@ -92,6 +92,41 @@ fn the_velocity_of_a_slow_device_is_told_over_more_rows() {
     }
 }
 
+/// A column that says nothing is found, unless the device rests; where velocities agree, the text says so.
+#[test]
+fn a_velocity_that_is_zero_throughout_is_found_and_one_that_agrees_is_said() {
+    let said = |csv: &str| {
+        let audit = audited(csv.as_bytes(), &knob("4e-5", "4.6e-5"), 1, 0).0;
+        assert_eq!(audit.verdict(), Verdict::Holds);
+        let text = audit.to_text();
+        let line = text.lines().find_map(|it| it.strip_prefix("  velocity "));
+        let line = line.map(|it| it.trim().to_owned());
+        (kinds(&audit), line)
+    };
+    let found = (vec!["zero_velocity"], None);
+    assert_eq!(said(&swing(8192.0, |_, _| 0.0)), found);
+    let line = "agrees with the positions, compared in 491 rows";
+    let agrees = (Vec::new(), Some(line.to_owned()));
+    assert_eq!(said(&swing(8192.0, |_, v| v)), agrees);
+    let log = |rows: usize, count: &dyn Fn(usize) -> usize| {
+        (0..rows).fold("count,v [rad/s]\n".to_owned(), |csv, i| {
+            csv + &format!("{},0\n", count(i))
+        })
+    };
+    // A tick every 16 rows, a device at rest, on the border between two ticks and within one, and a few rows.
+    assert_eq!(said(&log(500, &|i| i / 16)), found);
+    let still = "which stay where they are";
+    let cases: [(usize, &dyn Fn(usize) -> usize, &str); 3] = [
+        (500, &|i| i * i / 3 % 2, still),
+        (500, &|_| 7, still),
+        (5, &|_| 7, "of which there are too few"),
+    ];
+    for (rows, count, says) in cases {
+        let (kinds, line) = said(&log(rows, count));
+        assert!(kinds.is_empty() && line.unwrap().ends_with(says), "{says}");
+    }
+}
+
 /// Where ticks are read, their size may be what is wrong; of angles it is not.
 #[test]
 fn what_puts_a_velocity_right_is_named() {
