@@ -205,6 +205,23 @@ pub(super) fn is_multiple(name: &str, word: &str) -> bool {
         .any(|c| c.is_ascii_digit())
 }
 
+/// What a path says of the column itself: from the part on that names its kind, or else its last segment. What is before
+/// that, as a sensor `ft` of forces and torques, says where it comes from.
+fn of_itself(kind: Kind, name: &str) -> &str {
+    let Some((_, last)) = name.rsplit_once('/') else {
+        return name;
+    };
+    let ends = name.match_indices(['/', '.']).map(|(at, _)| at + 1);
+    let mut parts = std::iter::once(0)
+        .chain(ends)
+        .filter_map(|at| name.get(at..));
+    let is_named = |part: &&str| {
+        let part = part.split(['/', '.']).next().unwrap_or(part);
+        words(part).iter().any(|word| kind.is_named(word))
+    };
+    parts.find(is_named).unwrap_or(last)
+}
+
 /// The unit of a kind that a name gives, if any; or why it can be none of this kind.
 pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<String>, String> {
     if let Some(unit) = enclosed(kind, name)? {
@@ -221,6 +238,12 @@ pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<Stri
     if let Some(of_heat) = of_heat(name) {
         return Err(no_unit(of_heat, kind, motion));
     }
+    let is_path = name.contains('/');
+    let name = of_itself(kind, name);
+    let starts = |text: &String| {
+        let mut parts = name.split(|c| is_path && ['/', '.'].contains(&c));
+        parts.any(|part| words(part).first() == Some(text))
+    };
     let words = words(name);
     if let Some(unknown) = words.iter().find(|word| UNKNOWN.contains(&word.as_str())) {
         return Err(no_unit(unknown, kind, motion));
@@ -230,7 +253,7 @@ pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<Stri
         for from in 0..until {
             let some = words.iter().take(until).skip(from);
             let text: String = some.map(String::as_str).collect();
-            let is_first = from == 0 && NOT_FIRST.contains(&text.as_str());
+            let is_first = NOT_FIRST.contains(&text.as_str()) && starts(&text);
             let may_be = |unit: &str| until == words.len() || !is_first && !LAST.contains(&unit);
             let is_it = |unit: &&str| may_be(unit) && is_together(kind, unit, (&text, name));
             if let Some(unit) = spelt(kind, &text, motion).filter(is_it) {

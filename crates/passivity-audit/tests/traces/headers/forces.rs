@@ -42,6 +42,41 @@ fn no_command_leaves_out_a_force_that_cannot_be_read() {
     assert_eq!(proposed(log, None), "t=t [s], x=x [mm], f=F [N]");
 }
 
+/// A sensor of forces and torques is often called `ft`, which is no unit where it stands in a path.
+#[test]
+fn the_segments_of_a_path_before_the_quantity_are_no_units() {
+    for (force, unit) in [
+        ("robot/ft.force.x", "N"),
+        ("/slider/ft.wrench.force.x", "N"),
+        ("/robot/ft/force", "N"),
+        ("/left_arm/ft_sensor/raw.wrench.force.x", "N"),
+        ("/rpm_controller/force", "N"),
+        ("/arm/force/ft/x", "N"),
+        // Units where they can stand.
+        ("/slider/force_mN.data", "mN"),
+        ("/robot/ft.force_mN_cmd", "mN"),
+    ] {
+        let log = log(force, ["0", "0.1", "0.2"]);
+        let columns = proposed(&log, None);
+        assert_eq!(columns, format!("t=t [s], x=x [mm], f={force} [{unit}]"));
+        let audit = audited(&log, Some(&columns)).unwrap();
+        assert_eq!(audit.error(), None);
+    }
+    for (position, unit) in [
+        ("/pos_mm.data", "mm"),
+        ("/stage/ft/position", "m"),
+        ("robot/sec/position_in", "in"),
+    ] {
+        let log = format!("t [s],{position}\n0,0.1\n0.001,0.2\n");
+        let columns = format!("t=t [s], x={position} [{unit}]");
+        assert_eq!(proposed(&log, None), columns);
+        audited(&log, Some(&columns)).unwrap();
+    }
+    // A unit of something else where it can stand.
+    let refused = refused(&log("/robot/force_mm", ["0", "1", "2"]), None);
+    assert_eq!(refused.proposal, None, "{refused}");
+}
+
 #[test]
 fn masses_in_the_place_of_a_force_are_their_weights() {
     let numbers = ["0", "150", "-30.5"];
