@@ -374,4 +374,7 @@ fn several_files_are_one_log_in_order() {
         "{}",
         wrong.stderr
     );
+    let wrong = audit(&["nothing.csv", "a.csv"]);
+    let named = "error: nothing.csv: No such file";
+    assert!(wrong.stderr.starts_with(named), "{}", wrong.stderr);
 }

@@ -6,11 +6,15 @@ use passivity_audit::{Proposal, TraceError, notation_options, shell_word};
 
 use crate::exit::Failure;
 
-/// Why a log is refused, with the command that reads it as it seems to be meant.
+/// Why a log is refused, with the command that reads it as it seems to be meant. Of several files the error names its own.
 pub(crate) fn refusal(log: impl Display, error: &TraceError) -> Failure {
-    Failure::input(match &error.proposal {
-        Some(proposal) => format!("{log}: {error} {}", run(proposal)),
+    let why = match error.file {
+        Some(_) => error.to_string(),
         None => format!("{log}: {error}"),
+    };
+    Failure::input(match &error.proposal {
+        Some(proposal) => format!("{why} {}", run(proposal)),
+        None => why,
     })
 }
 

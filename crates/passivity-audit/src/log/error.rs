@@ -61,18 +61,15 @@ impl TraceError {
 
 impl fmt::Display for TraceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(file) = &self.file {
-            write!(f, "{}, ", legible(file))?;
-        }
-        if let Some(row) = self.row {
-            write!(f, "row {row}")?;
-        }
-        if let Some(column) = &self.column {
-            let separator = if self.row.is_some() { ", " } else { "" };
-            write!(f, "{separator}column `{}`", shown(column.as_bytes()))?;
-        }
-        if self.row.is_some() || self.column.is_some() {
-            f.write_str(": ")?;
+        let column = |name: &String| format!("column `{}`", shown(name.as_bytes()));
+        let place = [
+            self.file.as_deref().map(legible),
+            self.row.map(|row| format!("row {row}")),
+            self.column.as_ref().map(column),
+        ];
+        let place: Vec<String> = place.into_iter().flatten().collect();
+        if !place.is_empty() {
+            write!(f, "{}: ", place.join(", "))?;
         }
         f.write_str(&self.message)?;
         match &self.proposal {

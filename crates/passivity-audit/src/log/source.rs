@@ -79,8 +79,11 @@ impl Source {
         let Some(first) = paths.first() else {
             return Err(TraceError::new("empty", "a log needs a file"));
         };
-        let opened = open(first, block)?;
-        let (reader, mut layout) = opened.read(scene, dialect)?;
+        let opened = open(first, block).and_then(|opened| opened.read(scene, dialect));
+        let (reader, mut layout) = opened.map_err(|error| match paths.len() {
+            1 => error,
+            _ => error.of(&first.display().to_string()),
+        })?;
         if let (Some(force), 2..) = (layout.force, paths.len()) {
             layout.digits = digits(paths, dialect, force).unwrap_or(layout.digits);
         }
