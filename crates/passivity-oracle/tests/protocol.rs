@@ -167,6 +167,19 @@ fn check_is_that_of_the_scene() {
 }
 
 #[test]
+fn what_is_not_json_is_told_what_a_request_is() {
+    for (line, says) in [
+        ("not json", "expected an object such as {\\\"id\\\": 1,"),
+        ("", "expected an object such as"),
+        ("{\"op\": no}", "expected `true`, `false` or `null`"),
+    ] {
+        let answer = ask(line);
+        let says = format!("this is not JSON: {says}");
+        assert!(answer.contains(&says), "{line}: {answer}");
+    }
+}
+
+#[test]
 fn every_mistake_has_a_kind_and_a_place() {
     let interval = |rest: &str| format!(r#"{{"id":9,"op":"interval",{rest}}}"#);
     for (line, kind, at) in [

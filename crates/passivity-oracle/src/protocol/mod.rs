@@ -18,6 +18,9 @@ use passivity_audit::json;
 /// The number of this protocol.
 pub const PROTOCOL: u32 = 1;
 
+/// What each line is to be.
+const REQUEST: &str = r#"an object such as {"id": 1, "op": "version"}"#;
+
 /// The most positions in a `run`.
 pub const MAX_POSITIONS: usize = 1_000_000;
 
@@ -73,11 +76,12 @@ pub fn answer(line: &[u8], out: &mut Vec<u8>) {
         Ok(request) => request,
         Err(error) => {
             let at = At::Byte(byte_of(&error, line));
-            let refusal = Refusal::new(
-                "bad_json",
-                at,
-                format!("this is not JSON: {}", plain(&error)),
-            );
+            // What stands in the place of an object may be anything: what a reader of JSON makes of it helps nobody.
+            let message = match line.trim_ascii_start().first() {
+                Some(b'{') => format!("this is not JSON: {}", plain(&error)),
+                _ => format!("this is not JSON: expected {REQUEST}"),
+            };
+            let refusal = Refusal::new("bad_json", at, message);
             return refuse(&Value::Null, &refusal, out);
         }
     };
@@ -94,7 +98,7 @@ pub fn answer(line: &[u8], out: &mut Vec<u8>) {
         return refuse(request.get("id").unwrap_or(&Value::Null), &refusal, out);
     }
     let Value::Object(map) = &request else {
-        let message = "a request is an object such as {\"id\": 1, \"op\": \"version\"}";
+        let message = format!("a request is {REQUEST}");
         return refuse(
             &Value::Null,
             &Refusal::new("bad_request", At::Request, message),
@@ -132,10 +136,11 @@ fn shown(text: &str) -> String {
 /// The error without its place, which the answer has on its own.
 fn plain(error: &serde_json::Error) -> String {
     let text = error.to_string();
-    match text.rsplit_once(" at line ") {
-        Some((message, _)) => message.to_owned(),
-        None => text,
-    }
+    let message = text
+        .rsplit_once(" at line ")
+        .map_or(&*text, |(message, _)| message);
+    // As the library calls what begins like these.
+    message.replace("expected ident", "expected `true`, `false` or `null`")
 }
 
 fn open(id: &Value, key: &str, out: &mut Vec<u8>) {
