@@ -112,7 +112,7 @@ impl Log {
             }
             Some(force) if force.agrees => {
                 format!(
-                    "that of the wall's law in all {} rows, to within the digits that are written",
+                    "that of the wall's law in all {} rows, to within the digits that are written and a millionth of it",
                     force.compared
                 )
             }
