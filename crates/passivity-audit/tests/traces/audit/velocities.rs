@@ -108,7 +108,8 @@ fn a_velocity_that_is_zero_throughout_is_found_and_one_that_agrees_is_said() {
     let line = "agrees with the positions, compared in 491 rows";
     let agrees = (Vec::new(), Some(line.to_owned()));
     assert_eq!(said(&swing(8192.0, |_, v| v)), agrees);
-    let log = |rows: usize, count: &dyn Fn(usize) -> usize| {
+    type Count<'a> = &'a dyn Fn(usize) -> usize;
+    let log = |rows: usize, count: Count<'_>| {
         (0..rows).fold("count,v [rad/s]\n".to_owned(), |csv, i| {
             csv + &format!("{},0\n", count(i))
         })
@@ -116,7 +117,7 @@ fn a_velocity_that_is_zero_throughout_is_found_and_one_that_agrees_is_said() {
     // A tick every 16 rows, a device at rest, on the border between two ticks and within one, and a few rows.
     assert_eq!(said(&log(500, &|i| i / 16)), found);
     let still = "which stay where they are";
-    let cases: [(usize, &dyn Fn(usize) -> usize, &str); 3] = [
+    let cases: [(usize, Count<'_>, &str); 3] = [
         (500, &|i| i * i / 3 % 2, still),
         (500, &|_| 7, still),
         (5, &|_| 7, "of which there are too few"),
