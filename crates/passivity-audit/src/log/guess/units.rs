@@ -238,8 +238,21 @@ pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<Stri
     if let Some(of_heat) = of_heat(name) {
         return Err(no_unit(of_heat, kind, motion));
     }
-    let is_path = name.contains('/');
-    let name = of_itself(kind, name);
+    let own = of_itself(kind, name);
+    match in_words(kind, own, motion, name.contains('/'))? {
+        // What is before that may say it too, but what is of another kind there is no unit.
+        None if own != name => Ok(in_words(kind, name, motion, true).unwrap_or(None)),
+        found => Ok(found),
+    }
+}
+
+/// The same of what the words of a name, or of a part of a path, give.
+fn in_words(
+    kind: Kind,
+    name: &str,
+    motion: Motion,
+    is_path: bool,
+) -> Result<Option<String>, String> {
     let starts = |text: &String| {
         let mut parts = name.split(|c| is_path && ['/', '.'].contains(&c));
         parts.any(|part| words(part).first() == Some(text))

@@ -65,6 +65,7 @@ fn the_segments_of_a_path_before_the_quantity_are_no_units() {
     for (position, unit) in [
         ("/pos_mm.data", "mm"),
         ("/stage/ft/position", "m"),
+        ("/stage_mm/position", "mm"),
         ("robot/sec/position_in", "in"),
     ] {
         let log = format!("t [s],{position}\n0,0.1\n0.001,0.2\n");
