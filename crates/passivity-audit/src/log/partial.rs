@@ -28,7 +28,7 @@ use crate::log::step::undefined;
 use crate::log::task::Task;
 use crate::log::{Options, Reading, account};
 
-const FORMAT: &str = "passivity-audit-partial-2";
+const FORMAT: &str = "passivity-audit-partial-3";
 
 /// The account of a stretch of a log, exactly.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -57,6 +57,13 @@ struct SavedDialect {
     decimal_comma: bool,
 }
 
+/// What wrote a file.
+#[derive(Deserialize)]
+struct WrittenBy {
+    format: String,
+    version: String,
+}
+
 impl Partial {
     /// The largest file, in bytes: a hundred times what the account of a log with a thousand columns needs.
     const MAX_BYTES: u64 = 64 << 20;
@@ -78,12 +85,14 @@ impl Partial {
     ///
     /// Text that is something else, or was written by another version.
     pub fn from_json(text: &str) -> Result<Self, TraceError> {
-        let part: Self = serde_json::from_str(text).map_err(|error| wrong(&error.to_string()))?;
-        match part.format == FORMAT && part.version == env!("CARGO_PKG_VERSION") {
-            true => Ok(part),
+        let wrong_at = |error: serde_json::Error| wrong(&error.to_string());
+        // Asked first: another version may have other fields.
+        let by: WrittenBy = serde_json::from_str(text).map_err(wrong_at)?;
+        match by.format == FORMAT && by.version == env!("CARGO_PKG_VERSION") {
+            true => serde_json::from_str(text).map_err(wrong_at),
             false => Err(wrong(&format!(
                 "it was written by another version of this program, {}",
-                crate::log::error::shown(part.version.as_bytes())
+                crate::log::error::shown(by.version.as_bytes())
             ))),
         }
     }

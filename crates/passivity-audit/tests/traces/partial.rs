@@ -301,6 +301,13 @@ fn a_clock_that_is_too_fast_is_found_wherever_a_log_is_cut() {
         let older = format!("{}{}", &json[..at], &json[end + 1..]);
         let error = Partial::from_json(&older).unwrap_err().to_string();
         assert!(error.contains("missing field `short`"), "{error}");
+        // One that says that it is older may lack more.
+        let older = older.replacen("partial-3", "partial-2", 1);
+        let error = Partial::from_json(&older).unwrap_err().to_string();
+        assert!(
+            error.contains("another version of this program, 0.1.0"),
+            "{error}"
+        );
     }
 }
 
