@@ -254,7 +254,7 @@ pub fn identify(
     });
     let refuted = found.refuted_by;
     let suspicion = refuted.map_or_else(String::new, |place| {
-        suspicion(&logs, place, (inertia, slabs), errors.count)
+        suspicion(&logs, place, (inertia, slabs))
     });
     Ok(whole(found, shear, best, suspicion))
 }

@@ -171,13 +171,6 @@ impl Log {
         }
     }
 
-    /// Lets each position be off by so many ticks more.
-    pub(crate) fn widen(&mut self, ticks: f64) {
-        for [lo, hi] in &mut self.positions {
-            [*lo, *hi] = [add_down(*lo, -ticks), add(*hi, ticks)];
-        }
-    }
-
     /// The largest magnitude of the force.
     pub(crate) fn largest_force(&self) -> f64 {
         let forces = self.intervals().flat_map(|(force, _)| *force);

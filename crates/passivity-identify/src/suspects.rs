@@ -27,12 +27,13 @@ const OTHERS: &str = "friction that depends on the position, cogging, static fri
                       the device";
 
 /// What is named of the log itself, whatever fits.
-const OF_THE_LOG: &str = "an error of the log: counts that are off by more than `--count-error`, a wrong count, rows that are \
-                          lost where there is no column of times (all that follows is then shifted), wrong times, or a \
-                          force that was limited (saturated) after it was logged";
-
-/// So many ticks more than was given a count may be off by, to be named as what makes the logs fit.
-const MORE_TICKS: u8 = 2;
+///
+/// No larger `--count-error` is tried: it lets in nearly every other cause too, with narrow bounds that are wrong.
+const OF_THE_LOG: &str = "an error of the log: rows that are lost where there is no column of times (all that follows is then \
+                          shifted), a wrong count in this row or in one before, wrong times, a force that was limited \
+                          (saturated) after it was logged, or counts that are off by more than `--count-error` (raise it \
+                          to what your counts can be off by, and no further: with more a device or a log with another \
+                          error may fit, with bounds that are wrong)";
 
 /// All for which one is, where none fits alone.
 const KNOWN: &str = "backlash, a constant force of its own, a friction that is not the same in both directions, a force \
@@ -54,14 +55,9 @@ struct Suspect {
 }
 
 /// What it may be that no parameters fit the logs up to a place, with an inertia between ends, which a search cuts into so
-/// many parts, and with counts that are off by no more than an error.
-pub(crate) fn suspicion(
-    all_logs: &[Log],
-    place: Place,
-    (inertia, slabs): (Ends, u32),
-    count_error: f64,
-) -> String {
-    let logs = all_logs.get(..=place.log).unwrap_or_default();
+/// many parts.
+pub(crate) fn suspicion(logs: &[Log], place: Place, (inertia, slabs): (Ends, u32)) -> String {
+    let logs = logs.get(..=place.log).unwrap_or_default();
     let Some(log) = logs.last() else {
         return OTHERS.to_owned();
     };
@@ -71,21 +67,13 @@ pub(crate) fn suspicion(
                 the device"
             .to_owned();
     }
-    let rows = |logs: &[Log]| logs.iter().map(Log::len).sum::<usize>();
     let mut found = Vec::new();
-    if rows(all_logs) <= ROWS
-        && let Some(error) = larger_error(all_logs, (inertia, slabs), count_error)
-    {
-        found.push(format!(
-            "counts that are off by more than `--count-error`: with `--count-error {error}` every log fits, which is right \
-             only if your counts can be off by so much"
-        ));
-    }
-    if rows(logs) <= ROWS {
+    if logs.iter().map(Log::len).sum::<usize>() <= ROWS {
         if fit_without(logs, place, (inertia, slabs)) {
             let row = place.sample + 1;
             found.push(format!(
-                "a wrong count in row {row}: without it the log fits"
+                "a wrong count in row {row}: without it the log fits (write a count between those of the rows beside it, \
+                 and keep the row)"
             ));
         }
         let width = width(logs);
@@ -108,16 +96,6 @@ pub(crate) fn suspicion(
 fn width(logs: &[Log]) -> f64 {
     let widths = logs.iter().filter_map(|log| log.positions.first());
     widths.map(|[lo, hi]| hi - lo).fold(0.0, f64::max)
-}
-
-/// The least error of a count above the one that was given, in whole ticks, with which some parameters fit all logs.
-fn larger_error(logs: &[Log], inertia: (Ends, u32), given: f64) -> Option<f64> {
-    let mut errors = (1..=MORE_TICKS).map(|more| given.floor() + f64::from(more));
-    errors.find(|error| {
-        let mut wider = logs.to_vec();
-        wider.iter_mut().for_each(|log| log.widen(error - given));
-        some_fit(&wider, logs, inertia)
-    })
 }
 
 /// Whether some parameters fit the logs where the count at the place of the last one is not known.

@@ -141,15 +141,17 @@ impl Velocities {
     pub(crate) fn moved(&self) -> Moved {
         let [_, _, long] = self.long.each_ref().map(ExactSum::value);
         let [[_, own], ..] = self.products.each_ref();
-        let near = self.agree();
+        let (near, own) = (self.agree(), own.value());
         // Around one place positions are as far apart over many samples as over one.
-        let moves = own.value() > 0.0 && (!near || long > 4.0 * own.value());
+        let moves = own > 0.0 && (!near || long > 4.0 * own);
         Moved {
             compared: self.compared,
             zero: moves && self.squares.value() == 0.0,
             fit: self.fit(),
             long_fit: self.long_fit(),
             near,
+            // Of a swing that is over many samples eight times as far as over one there are less than thirty in a thousand.
+            slow: long > 64.0 * own,
         }
     }
 
@@ -178,11 +180,19 @@ impl Velocities {
         fits.min_by(|a, b| a.residual.total_cmp(&b.residual))
     }
 
-    /// The multiple over [`LONG`] samples; `None` of a shorter log, and when nothing moved.
+    /// The multiple over [`LONG`] samples; `None` of logs that are too short, or in which too little moved, for that to tell.
     fn long_fit(&self) -> Option<Fitted> {
-        Fitted::nearest(0, self.long.each_ref().map(ExactSum::value))
+        let [squares, mixed, own] = self.long.each_ref().map(ExactSum::value);
+        #[expect(clippy::cast_precision_loss, reason = "there are not so many rows")]
+        let rows = self.compared as f64;
+        // Where they are less than a tick long, on average, the ticks at their ends are all that is seen.
+        let is_enough = rows >= MANY * LONG as f64 && own >= rows;
+        Fitted::nearest(0, [squares, mixed, own]).filter(|_| is_enough)
     }
 }
+
+/// Of less than so many times [`LONG`] rows few stretches are apart.
+const MANY: f64 = 4.0;
 
 /// Velocities from an encoder are noisy: a tenth of their size is usual, and a filter delays them.
 const NOISY: f64 = 0.5;
@@ -204,26 +214,25 @@ impl Moved {
         if self.zero {
             return Some(Finding {
                 kind: "zero_velocity",
-                says: "the velocity is zero throughout, while the positions move: is it the right column?".to_owned(),
+                says: "the velocity is zero throughout, while the positions move: is it the right column, or was it rounded to zero?".to_owned(),
                 fix: "check that the column is the velocity that was measured; `--columns` names another".to_owned(),
             });
         }
-        let fit = self.fit.filter(|_| !self.near);
-        let long = || self.long_fit.filter(|fit| is_told(fit) && is_off(fit));
-        let (delay, scale) = match (fit, fit.filter(is_told).or_else(long)) {
-            (_, Some(told)) if is_off(&told) => (told.delay, told.scale),
-            (_, Some(_)) | (None, None) => return None,
-            (Some(fit), None) => {
-                return Some(Finding {
-                    kind: "velocity",
-                    says: format!(
-                        "the velocity is not that of the positions: {} % of it is left beside the nearest multiple",
-                        significant(100.0 * fit.residual)
-                    ),
-                    fix: "check which columns are the position and the velocity".to_owned(),
-                });
-            }
+        let Some(told) = self.told() else {
+            let fit = self.fit.filter(|_| !self.near)?;
+            return Some(Finding {
+                kind: "velocity",
+                says: format!(
+                    "the velocity is not that of the positions: {} % of it is left beside the nearest multiple",
+                    significant(100.0 * fit.residual)
+                ),
+                fix: "check which columns are the position and the velocity".to_owned(),
+            });
         };
+        if !is_off(&told) {
+            return None;
+        }
+        let Fitted { delay, scale, .. } = told;
         let late = match delay {
             0 => String::new(),
             1 => ", 1 sample late".to_owned(),
@@ -235,10 +244,16 @@ impl Moved {
             }
             Form::X | Form::Ledger => "",
         };
+        // A filter takes as much off a vibration, and so do the rows themselves.
+        let is_vibration = (0.0..1.0).contains(&scale) && !self.slow;
+        let (kind, or_else) = match is_vibration {
+            true => ("velocity", ", or the device vibrates too fast for its rows"),
+            false => ("velocity_scale", ""),
+        };
         Some(Finding {
-            kind: "velocity_scale",
+            kind,
             says: format!(
-                "the velocity is {} times that of the positions{late}",
+                "the velocity is {} times that of the positions{late}{or_else}",
                 significant(scale)
             ),
             fix: format!(
@@ -248,19 +263,21 @@ impl Moved {
         })
     }
 
+    /// The multiple that the velocities are: over a few rows or over many, whichever leaves less of them.
+    fn told(&self) -> Option<Fitted> {
+        let fits = [self.fit, self.long_fit].into_iter().flatten();
+        fits.filter(is_told)
+            .min_by(|a, b| a.residual.total_cmp(&b.residual))
+    }
+
     /// What is said of the velocities where nothing stands out.
     pub(crate) fn to_text(&self) -> String {
         let compared = self.compared;
-        let fits = [self.fit, self.long_fit];
         if compared == 0 {
             "is not compared with the positions, of which there are too few".to_owned()
-        } else if fits.iter().all(Option::is_none) {
+        } else if self.fit.is_none() {
             "is not compared with the positions, which stay where they are".to_owned()
-        } else if fits
-            .iter()
-            .flatten()
-            .any(|fit| is_told(fit) && !is_off(fit))
-        {
+        } else if self.told().is_some() {
             format!("agrees with the positions, compared in {compared} rows")
         } else {
             format!(

@@ -230,7 +230,7 @@ impl Identification {
     pub fn outcome(&self) -> Outcome {
         if let Some(refuted) = &self.report.refuted_by {
             return Outcome::Contradicts(format!(
-                "no viscous and Coulomb friction fit «{}», rows 1 to {}: {}",
+                "no viscous and Coulomb friction fit «{}», rows 1 to {}; it may be: {}",
                 self.name_of(&refuted.log),
                 refuted.row,
                 refuted.suspicion

@@ -36,12 +36,13 @@ fn kinds(audit: &Audit) -> Vec<&'static str> {
 fn a_velocity_to_another_scale_leaves_open_what_would_hold() {
     type Velocity<'a> = &'a dyn Fn(usize, f64) -> f64;
     let noise = |i: usize| if i.is_multiple_of(2) { 11.0 } else { -11.0 };
-    let cases: [(f64, Velocity<'_>, Option<&str>); 10] = [
+    let cases: [(f64, Velocity<'_>, Option<&str>); 11] = [
         (8192.0, &|_, v| v, None),
         (8192.0, &|_, v| 1.4 * v, None),
         (8192.0, &|_, v| 0.7 * v, None),
-        // Noise of some 100 % is no scale.
-        (8192.0, &|i, v| v + noise(i), Some("velocity")),
+        // Noise of some 100 % is no scale, and is little of what is moved over many rows; noise alone is no velocity.
+        (8192.0, &|i, v| v + noise(i), None),
+        (8192.0, &|i, _| noise(i), Some("velocity")),
         (8192.0, &|_, v| -v, Some("velocity_scale")),
         (8192.0, &|_, v| 0.5 * v, Some("velocity_scale")),
         (8192.0, &|_, v| 2.0 * v, Some("velocity_scale")),
@@ -136,8 +137,8 @@ fn what_puts_a_velocity_right_is_named() {
     let [finding] = &audit.report().findings[..] else {
         panic!("{}", audit.to_text());
     };
-    // The ticks of a count change the factor by some percent.
-    assert!(finding.says.contains("the velocity is 3.9"), "{finding:?}");
+    // The ticks of a count are a part in some hundred of the way over many rows, by which the factor is off at the most.
+    assert!(finding.says.contains("the velocity is 4.0"), "{finding:?}");
     let encoder = "the counts per revolution, or the resolution, of its encoder";
     assert!(finding.fix.contains(encoder), "{finding:?}");
     let mut angles = "t [s],x [rad],v [rad/s]\n".to_owned();
@@ -159,4 +160,91 @@ fn what_puts_a_velocity_right_is_named() {
         "the velocity is 4 times that of the positions"
     );
     assert!(!finding.fix.contains("encoder"), "{finding:?}");
+}
+
+/// A log of positions in ticks and velocities in ticks a row, 1000 rows unless they are fewer.
+fn ticks(rows: usize, of: impl Fn(f64) -> [f64; 2]) -> String {
+    let mut csv = "t [s],count,v [rad/s]\n".to_owned();
+    for i in 0..rows {
+        let [position, velocity] = of(i as f64);
+        let velocity = velocity * TAU / 8.192;
+        writeln!(
+            csv,
+            "{:.3},{},{velocity:.5}",
+            1e-3 * i as f64,
+            position.floor()
+        )
+        .unwrap();
+    }
+    csv
+}
+
+/// What tells less of a velocity does not stand against what tells more of it.
+#[test]
+fn a_velocity_is_told_by_what_leaves_less_of_it() {
+    let turn = |hertz: f64, i: f64| (TAU * 1e-3 * hertz * i).sin_cos();
+    let speed = |hertz: f64| TAU * 1e-3 * hertz;
+    let found = |csv: &str| {
+        let audit = audited(csv.as_bytes(), &knob("4e-5", "4.6e-5"), 1, 0).0;
+        kinds(&audit)
+    };
+    // A creep over one tick, which is counted where six tenths were moved.
+    let part = |i: f64| ((i - 300.0) / 100.0).clamp(0.0, 1.0);
+    let creep = ticks(1000, |i| {
+        let u = part(i);
+        [
+            0.7 + 0.6 * (3.0 * u * u - 2.0 * u * u * u),
+            0.036 * (u - u * u),
+        ]
+    });
+    assert_eq!(found(&creep), [""; 0]);
+    // A vibration on a swing, behind a filter of 30 Hz that takes it off.
+    let position = |i: f64| 200.0 * turn(2.0, i).0 + 12.0 * turn(80.0, i).0;
+    let mut filtered = vec![0.0];
+    for i in 1..1000 {
+        let step = position(f64::from(i)).floor() - position(f64::from(i - 1)).floor();
+        let before = filtered[filtered.len() - 1];
+        filtered.push(before + (1.0 - (-speed(30.0)).exp()) * (step - before));
+    }
+    let low_pass = ticks(1000, |i| [position(i), filtered[i as usize]]);
+    assert_eq!(found(&low_pass), [""; 0]);
+    // Few stretches of many rows, of a vibration whose steps are what the velocity is.
+    let shaken = |i: f64| (40.0 * turn(170.0, i).0).floor();
+    let steps = ticks(68, |i| {
+        [
+            shaken(i),
+            if i > 0.0 {
+                shaken(i) - shaken(i - 1.0)
+            } else {
+                0.0
+            },
+        ]
+    });
+    assert_eq!(found(&steps), [""; 0]);
+    // Faster than the rows show it, which leaves the verdict as it is.
+    let fast = ticks(1000, |i| {
+        let (sin, cos) = turn(340.0, i);
+        [100.0 * sin + 0.5, 100.0 * speed(340.0) * cos]
+    });
+    assert_eq!(found(&fast), ["velocity"]);
+    // The other sign, which a vibration hides that is half a turn late.
+    let reversed = ticks(1000, |i| {
+        let (slow, quick) = (turn(2.0, i), turn(60.0, i));
+        let velocity = 5.0 * speed(2.0) * slow.1 + 6.0 * speed(60.0) * quick.1;
+        [5.0 * slow.0 + 6.0 * quick.0, -velocity]
+    });
+    assert_eq!(found(&reversed), ["velocity_scale"]);
+    // Twice every step, of steps that are as far from each other as from that.
+    let swung = |i: f64| (50.0 * (TAU * 0.3 * i).sin()).floor();
+    let twice = ticks(1000, |i| {
+        [
+            swung(i),
+            if i > 0.0 {
+                2.0 * (swung(i) - swung(i - 1.0))
+            } else {
+                0.0
+            },
+        ]
+    });
+    assert_eq!(found(&twice), ["velocity_scale"]);
 }
