@@ -76,6 +76,7 @@ fn of_log(log: &Path) -> impl Fn(TraceError) -> TraceError {
         if error.kind == "io" && File::open(log).is_err() {
             let (log, message) = (legible(&log.to_string_lossy()), &error.message);
             error.message = format!("`{log}`: {message}; a text is the path of a file");
+            error.file = None;
         }
         error
     }
