@@ -241,7 +241,9 @@ pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<Stri
     let own = of_itself(kind, name);
     match in_words(kind, own, motion, name.contains('/'))? {
         // What is before that may say it too, but what is of another kind there is no unit.
-        None if own != name => Ok(in_words(kind, name, motion, true).unwrap_or(None)),
+        None if own != name.trim_start_matches('/') => {
+            Ok(in_words(kind, name, motion, true).unwrap_or(None))
+        }
         found => Ok(found),
     }
 }
