@@ -20,6 +20,7 @@ use crate::log::chunk::Chunk;
 use crate::log::error::TraceError;
 use crate::log::exact::ExactSum;
 use crate::log::lanes::commanded;
+use crate::log::numbers::all;
 use crate::log::running::near_reading;
 use crate::log::step::undefined;
 use crate::log::task::Task;
@@ -195,15 +196,15 @@ impl Comparison {
         let rows = rows.start.min(end)..end;
         // The latest last, and as many before the first as the longest lag looks back.
         let lags = self.lags.len();
-        let mut all = vec![f64::NAN; lags];
+        let mut forces_of_law = vec![f64::NAN; lags];
         match known.get(rows.clone()) {
-            Some(known) => all.extend_from_slice(known),
-            None => all.resize(lags + rows.len(), f64::NAN),
+            Some(known) => forces_of_law.extend_from_slice(known),
+            None => forces_of_law.resize(lags + rows.len(), f64::NAN),
         }
-        let (before, law) = all.split_at_mut(lags);
+        let (before, law) = forces_of_law.split_at_mut(lags);
         let order = self.wide.filter.order();
-        // What is not known near by is computed one by one: of several at a time it is asked whether there is any.
-        if law.iter().fold(false, |open, force| open | force.is_nan()) {
+        // What is not known near by is computed one by one.
+        if !all(law, |force| !force.is_nan()) {
             for (i, force) in rows.clone().zip(&mut *law) {
                 if force.is_nan() {
                     let sample = chunk.samples.get(i).ok_or_else(undefined)?;
@@ -228,10 +229,7 @@ impl Comparison {
         let near = &chunk.forces.values.near;
         let mut forces = Cow::Borrowed(near.middles.get(rows.clone()).ok_or_else(undefined)?);
         let radii = near.radii.get(rows.clone()).unwrap_or_default();
-        if !radii
-            .iter()
-            .fold(true, |all, radius| all & radius.is_finite())
-        {
+        if !all(radii, |radius| radius.is_finite()) {
             for (i, radius) in rows.clone().zip(radii) {
                 if !radius.is_finite() {
                     let force = near_reading(&chunk.forces.get(i).ok_or_else(undefined)?);
@@ -245,7 +243,7 @@ impl Comparison {
         let off = may_be_off(&forces, rounding);
         self.roundings.add_products(&off, &off);
         self.law_squares.add_products(law, law);
-        let own = all.get(lags - self.delay..).unwrap_or_default();
+        let own = forces_of_law.get(lags - self.delay..).unwrap_or_default();
         for (lag, agreement) in self.lags.iter_mut().enumerate() {
             let known = (lag + order).saturating_sub(self.seen).min(forces.len());
             let (out, forces) = forces.split_at(known);
@@ -255,7 +253,7 @@ impl Comparison {
             for (sum, (a, b)) in agreement.left_out.1.iter_mut().zip(products) {
                 sum.add_products(a, b);
             }
-            let late = all.get(lags - lag + known..).unwrap_or_default();
+            let late = forces_of_law.get(lags - lag + known..).unwrap_or_default();
             let rounding = rounding.get(known..).unwrap_or_default();
             agreement.compare(forces, late, rounding, self.compared + known as u64);
             if lag == self.delay {
@@ -264,7 +262,8 @@ impl Comparison {
         }
         self.seen += forces.len();
         self.law.clear();
-        self.law.extend(all.iter().rev().take(self.lags.len()));
+        self.law
+            .extend(forces_of_law.iter().rev().take(self.lags.len()));
         self.compared += forces.len() as u64;
         Ok(())
     }

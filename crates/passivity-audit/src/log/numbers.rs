@@ -27,6 +27,12 @@ impl Default for Numbers {
     }
 }
 
+/// Whether something is so of all values: asked without a branch, of several at a time.
+#[inline(always)]
+pub(crate) fn all<T>(values: &[T], is: impl Fn(&T) -> bool) -> bool {
+    values.iter().fold(true, |all, x| all & is(x))
+}
+
 /// n over 10^k.
 fn decimal(n: i64, k: u8) -> Option<Number> {
     power_of_ten(k.into()).map(|power| Number::Small(n, power))
@@ -40,9 +46,7 @@ impl Numbers {
 
     /// Doubles up to the first that is no number.
     pub(crate) fn doubles(mut values: Vec<f64>) -> (Self, Option<TraceError>) {
-        // Of several at a time it is asked whether all of them are numbers.
-        let all = values.iter().fold(true, |all, x| all & x.is_finite());
-        let wrong = if all {
+        let wrong = if all(&values, |x| x.is_finite()) {
             None
         } else {
             values.iter().find(|x| !x.is_finite())
@@ -242,8 +246,7 @@ impl Balls {
         for from in (known..len).step_by(SOME) {
             let some = from..len.min(from + SOME);
             let middles = self.middles.get(some.clone()).unwrap_or_default();
-            // Of several at a time it is asked whether all of them were found.
-            if !middles.iter().fold(false, |open, x| open | x.is_nan()) {
+            if all(middles, |x| !x.is_nan()) {
                 continue;
             }
             let parts = self.middles.iter_mut().zip(&mut self.radii).enumerate();

@@ -83,9 +83,8 @@ impl Audit {
         let forced = agreement
             .iter()
             .flat_map(|a| of_force(a, task.layout, scene));
-        let moving = moved
-            .iter()
-            .filter_map(|moved| moved.finding(task.layout.form));
+        let compared = findings.velocities.as_ref().zip(moved.as_ref());
+        let moving = compared.and_then(|(of, moved)| of.finding(moved, task.layout.form));
         let found = task.layout.beside.finding.clone().into_iter().chain(forced);
         let clock = of_clock(account.timing.short, account.intervals);
         // The energy of its spring is counted from there.

@@ -303,12 +303,6 @@ pub struct Moved {
     /// The multiple over 64 samples together, of which ticks and noise are a smaller part; `None` of fewer than 256 velocities, and
     /// where less than a tick was moved in that time, on average.
     pub long_fit: Option<Fitted>,
-    /// Whether the velocities are as near to the mean velocities between samples as these are to each other.
-    #[serde(skip)]
-    pub near: bool,
-    /// Whether what is moved over 64 samples is much more than over one: not so of a vibration.
-    #[serde(skip)]
-    pub slow: bool,
 }
 
 /// A delay, a scale and where the wall is.

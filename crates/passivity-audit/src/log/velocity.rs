@@ -137,22 +137,24 @@ impl Velocities {
         }
     }
 
-    /// What is found.
+    /// How they agree with the positions.
     pub(crate) fn moved(&self) -> Moved {
-        let [_, _, long] = self.long.each_ref().map(ExactSum::value);
-        let [[_, own], ..] = self.products.each_ref();
-        let (near, own) = (self.agree(), own.value());
+        let [[_, own], ..] = &self.products;
         // Around one place positions are as far apart over many samples as over one.
-        let moves = own > 0.0 && (!near || long > 4.0 * own);
+        let moves = own.value() > 0.0 && (!self.agree() || self.goes_on_by(4.0));
         Moved {
             compared: self.compared,
             zero: moves && self.squares.value() == 0.0,
             fit: self.fit(),
             long_fit: self.long_fit(),
-            near,
-            // Of a swing that is over many samples eight times as far as over one there are less than thirty in a thousand.
-            slow: long > 64.0 * own,
         }
+    }
+
+    /// Whether, in squares, more than so many times as much is moved over [`LONG`] samples as over one.
+    fn goes_on_by(&self, times: f64) -> bool {
+        let [_, _, long] = &self.long;
+        let [[_, own], ..] = &self.products;
+        long.value() > times * own.value()
     }
 
     /// Whether the velocities are those of the motion as far as its samples tell.
@@ -189,37 +191,18 @@ impl Velocities {
         let is_enough = rows >= MANY * LONG as f64 && own >= rows;
         Fitted::nearest(0, [squares, mixed, own]).filter(|_| is_enough)
     }
-}
 
-/// Of less than so many times [`LONG`] rows few stretches are apart.
-const MANY: f64 = 4.0;
-
-/// Velocities from an encoder are noisy: a tenth of their size is usual, and a filter delays them.
-const NOISY: f64 = 0.5;
-
-/// Of what they are compared with at most a quarter is noise then, in squares, by which a scale of one is found as 3/4.
-const OFF: f64 = 1.5;
-
-fn is_told(fit: &Fitted) -> bool {
-    fit.residual <= NOISY
-}
-
-fn is_off(fit: &Fitted) -> bool {
-    !(1.0 / OFF..=OFF).contains(&fit.scale)
-}
-
-impl Moved {
-    /// What stands out in the velocities of a log.
-    pub(crate) fn finding(&self, form: Form) -> Option<Finding> {
-        if self.zero {
+    /// What stands out in the velocities of a log, which agree with the positions like this.
+    pub(crate) fn finding(&self, moved: &Moved, form: Form) -> Option<Finding> {
+        if moved.zero {
             return Some(Finding {
                 kind: "zero_velocity",
                 says: "the velocity is zero throughout, while the positions move: is it the right column, or was it rounded to zero?".to_owned(),
                 fix: "check that the column is the velocity that was measured; `--columns` names another".to_owned(),
             });
         }
-        let Some(told) = self.told() else {
-            let fit = self.fit.filter(|_| !self.near)?;
+        let Some(told) = moved.told() else {
+            let fit = moved.fit.filter(|_| !self.agree())?;
             return Some(Finding {
                 kind: "velocity",
                 says: format!(
@@ -244,8 +227,9 @@ impl Moved {
             }
             Form::X | Form::Ledger => "",
         };
-        // A filter takes as much off a vibration, and so do the rows themselves.
-        let is_vibration = (0.0..1.0).contains(&scale) && !self.slow;
+        // A filter takes as much off a vibration, and so do the rows themselves. Of a swing that is over many samples eight
+        // times as far as over one there are less than thirty in a thousand.
+        let is_vibration = (0.0..1.0).contains(&scale) && !self.goes_on_by(64.0);
         let (kind, or_else) = match is_vibration {
             true => ("velocity", ", or the device vibrates too fast for its rows"),
             false => ("velocity_scale", ""),
@@ -262,7 +246,26 @@ impl Moved {
             ),
         })
     }
+}
 
+/// Of less than so many times [`LONG`] rows few stretches are apart.
+const MANY: f64 = 4.0;
+
+/// Velocities from an encoder are noisy: a tenth of their size is usual, and a filter delays them.
+const NOISY: f64 = 0.5;
+
+/// Of what they are compared with at most a quarter is noise then, in squares, by which a scale of one is found as 3/4.
+const OFF: f64 = 1.5;
+
+fn is_told(fit: &Fitted) -> bool {
+    fit.residual <= NOISY
+}
+
+fn is_off(fit: &Fitted) -> bool {
+    !(1.0 / OFF..=OFF).contains(&fit.scale)
+}
+
+impl Moved {
     /// The multiple that the velocities are: over a few rows or over many, whichever leaves less of them.
     fn told(&self) -> Option<Fitted> {
         let fits = [self.fit, self.long_fit].into_iter().flatten();

@@ -7,8 +7,9 @@ use multiversion::multiversion;
 use super::Column;
 use crate::ball::{Ball, over_power_of_two};
 use crate::log::chunk::Chunk;
+use crate::log::exact::power;
 use crate::log::layout::Layout;
-use crate::log::numbers::Numbers;
+use crate::log::numbers::{Numbers, all};
 use crate::log::step::periods;
 use crate::number::power_of_ten;
 
@@ -81,11 +82,7 @@ fn over_one_denominator<'a>(layout: &Layout, times: &'a Numbers) -> Option<Times
     let (numerators, one) = match times {
         Numbers::Decimals(numerators, powers) => {
             let first = powers.first()?;
-            // Of several at a time it is asked whether all of them are the same.
-            let alike = powers
-                .iter()
-                .fold(true, |all, power| all & (power == first));
-            let numerators = alike.then_some(numerators)?;
+            let numerators = all(powers, |power| power == first).then_some(numerators)?;
             (numerators.into(), power_of_ten((*first).into())?)
         }
         Numbers::Doubles(times) => {
@@ -120,9 +117,9 @@ fn power_of_two(k: u32) -> Option<i64> {
 fn whole_numbers(values: &[f64]) -> Option<(Vec<i64>, u32)> {
     // What makes the least of them a whole number makes the others whole too.
     let (_, twos) = over_power_of_two(least_size(values))?;
-    let by = f64::from_bits(u64::from(twos.checked_add(1023).filter(|k| *k < 2047)?) << 52);
+    let places = i32::try_from(twos).ok().filter(|k| *k < f64::MAX_EXP)?;
     let mut whole = vec![0; values.len()];
-    let bits = scale(values, by, &mut whole)?;
+    let bits = scale(values, power(places), &mut whole)?;
     let zeros = bits.trailing_zeros().min(twos);
     for n in &mut whole {
         *n >>= zeros;
