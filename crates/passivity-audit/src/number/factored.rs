@@ -105,12 +105,32 @@ pub(crate) struct Split {
     rest: u64,
 }
 
+/// Whether a number is below zero. As wide as a word: what is narrower is copied together with bytes beside it that no one
+/// has written, for which processors wait.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u64)]
+enum Sign {
+    Positive = 1,
+    Negative = 2,
+}
+
+impl Sign {
+    #[inline(always)]
+    const fn of(is_negative: bool) -> Self {
+        if is_negative {
+            Self::Negative
+        } else {
+            Self::Positive
+        }
+    }
+}
+
 /// A fraction in lowest terms.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Quotient<S = u128> {
-    pub(crate) is_negative: bool,
     numerator: S,
     denominator: S,
+    sign: Sign,
 }
 
 impl Primes {
@@ -184,10 +204,10 @@ impl Primes {
     /// n over a number of known primes, and perhaps over one that has nothing in common with n.
     #[inline]
     pub(crate) fn quotient(&self, n: i128, over: &Factored, rest: u64) -> Option<Quotient> {
-        let (is_negative, n) = (n < 0, n.unsigned_abs());
+        let (sign, n) = (Sign::of(n < 0), n.unsigned_abs());
         if n == 0 {
             return Some(Quotient {
-                is_negative,
+                sign,
                 numerator: 0,
                 denominator: 1,
             });
@@ -200,7 +220,7 @@ impl Primes {
         let both = (n >> twos, denominator >> twos);
         let (numerator, denominator) = self.reduced(both, over, Prime::divided_of_any_length);
         Some(Quotient {
-            is_negative,
+            sign,
             numerator,
             denominator,
         })
@@ -233,10 +253,10 @@ impl Primes {
         over: &Factored,
         rest: u64,
     ) -> Option<Quotient<U256>> {
-        let (is_negative, n) = (n.is_negative(), n.unsigned_abs());
+        let (sign, n) = (Sign::of(n.is_negative()), n.unsigned_abs());
         if n == U256::ZERO {
             return Some(Quotient {
-                is_negative,
+                sign,
                 numerator: n,
                 denominator: U256::ONE,
             });
@@ -261,7 +281,7 @@ impl Primes {
             }
         };
         Some(Quotient {
-            is_negative,
+            sign,
             numerator,
             denominator,
         })
@@ -378,12 +398,12 @@ impl Quotient {
     #[inline(always)]
     pub(crate) fn widened<S: Size>(self) -> Quotient<S> {
         let Self {
-            is_negative,
+            sign,
             numerator,
             denominator,
         } = self;
         Quotient {
-            is_negative,
+            sign,
             numerator: numerator.into(),
             denominator: denominator.into(),
         }
@@ -391,10 +411,16 @@ impl Quotient {
 }
 
 impl<S: Size> Quotient<S> {
+    /// Whether it is below zero.
+    #[inline(always)]
+    pub(crate) fn is_negative(&self) -> bool {
+        self.sign == Sign::Negative
+    }
+
     /// Appends it after a comma; `None` where there is no room.
     #[inline]
     pub(crate) fn write(&self, line: &mut Line<'_>) -> Option<()> {
-        line.append_some(*b",-", 1 + u32::from(self.is_negative))?;
+        line.append_some(*b",-", self.sign as u32)?;
         self.numerator.write(line)?;
         if self.denominator.is_one() {
             return Some(());

@@ -120,7 +120,7 @@ impl Exactly {
             both(|end| end.net[1]),
         ];
         let margin = both(|end| end.margin);
-        let covers = |[lo, hi]: [QuotientOf<T>; 2]| Truth::over(!lo.is_negative, !hi.is_negative);
+        let covers = |[lo, hi]: [QuotientOf<T>; 2]| Truth::over(!lo.is_negative(), !hi.is_negative());
         let (force, over) = &self.force;
         let force = match row.force {
             Some(f) => Some(f.by((*force).into())?.quotient(&self.primes, over, 1)?),
