@@ -18,7 +18,7 @@ pub use arithmetic::is_positive;
 pub(crate) use arithmetic::{Denominator, difference, is_less, product, quotient};
 pub(crate) use decimal::{decimal, leading_decimal, power_of_ten, short};
 pub(crate) use digits::{Fraction, Fractions, SEVERAL};
-pub(crate) use dyadic::Dyadic;
+pub(crate) use dyadic::{Bits, Dyadic};
 pub(crate) use factored::{Beside, Factored, Primes, Quotient, Split};
 pub(crate) use line::Line;
 pub(crate) use terms::{Exact, Size, Term, Total};

@@ -236,9 +236,9 @@ impl Form {
         figures: &Figures<S>,
         out: &mut O,
     ) -> Option<()> {
-        for (ends, of_force) in figures.energies.into_iter().zip(OF_FORCE) {
+        for ([lo, hi], of_force) in figures.energies.into_iter().zip(OF_FORCE) {
             let is_known = self.accounted || !of_force;
-            self.ends(ends.map(|end| is_known.then_some(end)), out)?;
+            self.ends([is_known.then_some(lo), is_known.then_some(hi)], out)?;
         }
         self.ends(figures.margin, out)?;
         let truths = figures.truths;

@@ -9,33 +9,6 @@ pub(crate) const SEVERAL: usize = 16;
 /// As many characters are copied at a time.
 const WIDTH: usize = 32;
 
-/// "/2", "/4" and so on up to "/18446744073709551616" by their logarithm, nothing for one; and behind each how long it
-/// is.
-static DENOMINATORS: [[u8; WIDTH]; BITS as usize + 1] = denominators();
-
-#[expect(
-    clippy::indexing_slicing,
-    reason = "the compiler, which computes this, refuses an index that is out of bounds"
-)]
-const fn denominators() -> [[u8; WIDTH]; BITS as usize + 1] {
-    let mut all = [[0; WIDTH]; BITS as usize + 1];
-    let mut k = 1;
-    while k < all.len() {
-        let text = &mut all[k];
-        text[0] = b'/';
-        let mut rest = 1_u128 << k;
-        let mut place = 2 + rest.ilog10() as usize;
-        text[WIDTH - 1] = place as u8;
-        while rest > 0 {
-            place -= 1;
-            text[place] = b'0' + (rest % 10) as u8;
-            rest /= 10;
-        }
-        k += 1;
-    }
-    all
-}
-
 /// Multiples of 2⁻⁶⁴ below 2³⁷ in lowest terms, as they are written.
 #[derive(Clone, Debug)]
 pub(crate) struct Fractions {
@@ -98,8 +71,8 @@ impl Fraction<'_> {
     /// Appends the fraction after a comma: `,3/8`, `,-2`, `,0`; `None` where there is no room.
     #[inline(always)]
     pub(crate) fn write(self, line: &mut Line<'_>) -> Option<()> {
-        /// Room for a comma, a sign, a numerator and a denominator, and for what is copied behind them.
-        const ROOM: usize = 2 + 4 * WIDTH;
+        /// Room for a comma, a sign and a numerator, and for what is copied behind them.
+        const ROOM: usize = 2 + 2 * WIDTH;
         const Z: u64 = EIGHT_ZEROS;
         let Self(all, i) = self;
         let text: &mut [u8; ROOM] = line.text.get_mut(line.length..)?.first_chunk_mut()?;
@@ -117,12 +90,8 @@ impl Fraction<'_> {
         let start = i.wrapping_mul(WIDTH).wrapping_add(zeros);
         *text.get_mut(at..)?.first_chunk_mut()? = *digits.get(start..)?.first_chunk::<WIDTH>()?;
         let at = at + (WIDTH - (zeros & (WIDTH - 1)));
-        let denominator = usize::try_from(*all.denominators.get(i)?).ok()?;
-        let denominator = DENOMINATORS.get(denominator)?;
-        *text.get_mut(at..)?.first_chunk_mut()? = *denominator;
-        let [.., length] = *denominator;
-        line.length = line.length.wrapping_add(at + usize::from(length));
-        Some(())
+        line.length = line.length.wrapping_add(at);
+        line.append_over_power(*all.denominators.get(i)?)
     }
 }
 

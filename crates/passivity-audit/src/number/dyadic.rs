@@ -1,4 +1,6 @@
-//! Numbers of 256 bits over powers of two: what doubles are, and sums of their products.
+//! Whole numbers of 128 or 256 bits over powers of two: what doubles are, and sums of their products.
+
+use std::fmt::Debug;
 
 use ethnum::{I256, U256};
 
@@ -9,188 +11,250 @@ use crate::ball::Ball;
 
 /// n/2^k.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Dyadic {
-    n: I256,
+pub(crate) struct Dyadic<N> {
+    n: N,
     twos: u32,
 }
 
-/// The same number in 128 bits, in which most are: it is computed with faster.
-#[inline(always)]
-fn narrow(n: I256) -> Option<i128> {
-    let (upper, lower) = n.into_words();
-    (upper == lower >> (i128::BITS - 1)).then_some(lower)
+/// A whole number of so many bits. What these do not hold is `None`.
+pub(crate) trait Bits: Copy + Debug + PartialEq {
+    const ZERO: Self;
+
+    fn of(n: i128) -> Self;
+    fn wide(self) -> I256;
+    fn plus(self, other: Self) -> Option<Self>;
+    fn minus(self, other: Self) -> Option<Self>;
+    fn times(self, other: Self) -> Option<Self>;
+    /// Itself times 2^k.
+    fn shifted(self, k: u32) -> Option<Self>;
+    /// Itself over 2^k, rounded down.
+    fn floor(self, k: u32) -> Self;
+    /// How often two divides it; of zero as often as it has bits.
+    fn twos(self) -> u32;
 }
 
-/// n·2^k, where 255 bits hold it.
-#[inline(always)]
-fn shifted(n: I256, k: u32) -> Option<I256> {
-    if k == 0 || n == I256::ZERO {
-        return Some(n);
-    }
-    match narrow(n).filter(|n| n.unsigned_abs().leading_zeros() > k.saturating_add(1)) {
-        Some(n) => Some((n << k).into()),
-        None => (n.unsigned_abs().leading_zeros() > k.saturating_add(1)).then(|| n << k),
-    }
-}
+macro_rules! bits {
+    ($kind:ty, $zero:expr, $as_wide:expr) => {
+        impl Bits for $kind {
+            const ZERO: Self = $zero;
 
-/// A product, where 254 bits hold it.
-#[inline(always)]
-fn times(a: I256, b: I256) -> Option<I256> {
-    if let (Some(a), Some(b)) = (narrow(a), narrow(b)) {
-        let zeros = a.unsigned_abs().leading_zeros() + b.unsigned_abs().leading_zeros();
-        if zeros > u128::BITS + 2 {
-            return Some(a.wrapping_mul(b).into());
+            #[inline(always)]
+            fn of(n: i128) -> Self {
+                n.into()
+            }
+
+            #[inline(always)]
+            fn wide(self) -> I256 {
+                $as_wide(self)
+            }
+
+            #[inline(always)]
+            fn plus(self, other: Self) -> Option<Self> {
+                self.checked_add(other)
+            }
+
+            #[inline(always)]
+            fn minus(self, other: Self) -> Option<Self> {
+                self.checked_sub(other)
+            }
+
+            #[inline(always)]
+            fn times(self, other: Self) -> Option<Self> {
+                let zeros =
+                    self.unsigned_abs().leading_zeros() + other.unsigned_abs().leading_zeros();
+                (zeros > Self::BITS + 2).then(|| self.wrapping_mul(other))
+            }
+
+            #[inline(always)]
+            fn shifted(self, k: u32) -> Option<Self> {
+                if k == 0 || self == Self::ZERO {
+                    return Some(self);
+                }
+                (self.unsigned_abs().leading_zeros() > k.saturating_add(1)).then(|| self << k)
+            }
+
+            #[inline(always)]
+            fn floor(self, k: u32) -> Self {
+                // Shifting rounds down, to minus one or zero at last.
+                self >> k.min(Self::BITS - 1)
+            }
+
+            #[inline(always)]
+            fn twos(self) -> u32 {
+                self.trailing_zeros()
+            }
         }
-    }
-    let zeros = a.unsigned_abs().leading_zeros() + b.unsigned_abs().leading_zeros();
-    (zeros > U256::BITS + 2).then(|| a.wrapping_mul(b))
+    };
 }
 
-impl Dyadic {
+bits!(i128, 0, I256::from);
+bits!(I256, I256::ZERO, std::convert::identity);
+
+/// A product of factors of which one has 128 bits, where 254 bits hold it.
+#[inline(always)]
+fn product<N: Bits>(n: N, factor: i128) -> Option<I256> {
+    n.wide().times(factor.into())
+}
+
+impl<N: Bits> Dyadic<N> {
     /// What a double is.
+    #[inline]
     pub(crate) fn of(x: f64) -> Option<Self> {
         let (n, twos) = match Number::from_f64(x)? {
             Number::Small(n, d) => (n, d.trailing_zeros()),
             Number::Tiny(n, twos) => (n, twos),
             Number::Big(_) => return None,
         };
-        Some(Self { n: n.into(), twos })
+        Some(Self {
+            n: N::of(n.into()),
+            twos,
+        })
     }
 
     /// Two numbers over the same power of two, and which.
-    #[inline]
-    fn over_one(self, other: Self) -> Option<([I256; 2], u32)> {
+    #[inline(always)]
+    fn over_one(self, other: Self) -> Option<([N; 2], u32)> {
         let twos = self.twos.max(other.twos);
-        let [a, b] = [self, other].map(|x| shifted(x.n, twos - x.twos));
-        Some(([a?, b?], twos))
+        let a = self.n.shifted(twos - self.twos)?;
+        let b = other.n.shifted(twos - other.twos)?;
+        Some(([a, b], twos))
     }
 
     /// The same over the least power of two.
     #[inline]
     fn reduced(self) -> Self {
-        if self.n == I256::ZERO {
+        if self.n == N::ZERO {
             return Self::zero();
         }
-        let twos = self.twos.min(self.n.trailing_zeros());
+        let twos = self.twos.min(self.n.twos());
         Self {
-            n: self.n >> twos,
+            n: self.n.floor(twos),
             twos: self.twos - twos,
+        }
+    }
+
+    #[inline(always)]
+    fn wide(self) -> Dyadic<I256> {
+        Dyadic {
+            n: self.n.wide(),
+            twos: self.twos,
         }
     }
 }
 
-impl From<i128> for Dyadic {
-    #[inline]
+impl<N: Bits> From<i128> for Dyadic<N> {
+    #[inline(always)]
     fn from(n: i128) -> Self {
         Self {
-            n: n.into(),
+            n: N::of(n),
             twos: 0,
         }
     }
 }
 
-impl From<i64> for Dyadic {
-    #[inline]
+impl<N: Bits> From<i64> for Dyadic<N> {
+    #[inline(always)]
     fn from(n: i64) -> Self {
         i128::from(n).into()
     }
 }
 
-impl Exact for Dyadic {
-    #[inline]
+impl<N: Bits> Exact for Dyadic<N> {
+    #[inline(always)]
     fn zero() -> Self {
         0_i64.into()
     }
 
-    #[inline(never)]
+    #[inline(always)]
     fn plus(self, other: Self) -> Option<Self> {
-        if self.n == I256::ZERO {
+        if self.n == N::ZERO {
             return Some(other);
         }
         let ([a, b], twos) = self.over_one(other)?;
-        let n = a.checked_add(b)?;
+        let n = a.plus(b)?;
         Some(Self { n, twos })
     }
 
-    #[inline(never)]
+    #[inline(always)]
     fn minus(self, other: Self) -> Option<Self> {
         let ([a, b], twos) = self.over_one(other)?;
-        let n = a.checked_sub(b)?;
+        let n = a.minus(b)?;
         Some(Self { n, twos })
     }
 
-    #[inline]
+    #[inline(always)]
     fn is_negative(self) -> bool {
-        self.n.is_negative()
+        self.n.wide().is_negative()
     }
 
-    #[inline(never)]
+    #[inline(always)]
     fn by_twos(self, twos: u32) -> Option<Self> {
         Some(Self {
-            n: shifted(self.n, twos.saturating_sub(self.twos))?,
+            n: self.n.shifted(twos.saturating_sub(self.twos))?,
             twos: self.twos.saturating_sub(twos),
         })
     }
 }
 
-impl Term for Dyadic {
-    type Sum = Self;
+impl<N: Bits> Term for Dyadic<N> {
+    type Sum = Dyadic<I256>;
 
-    #[inline(never)]
+    #[inline(always)]
     fn times(self, other: Self) -> Option<Self> {
         Some(Self {
-            n: times(self.n, other.n)?,
+            n: self.n.times(other.n)?,
             twos: self.twos + other.twos,
         })
     }
 
-    #[inline(never)]
+    #[inline(always)]
     fn next_to(self) -> Option<[i64; 2]> {
-        // Shifting rounds down, to minus one or zero at last.
-        let below = self.n >> self.twos.min(I256::BITS - 1);
-        let whole = i64::try_from(below).ok()?;
-        match self.n == I256::ZERO || self.n.trailing_zeros() >= self.twos {
+        let whole = i64::try_from(self.n.floor(self.twos).wide()).ok()?;
+        match self.n == N::ZERO || self.n.twos() >= self.twos {
             true => Some([whole; 2]),
             false => Some([whole, whole.checked_add(1)?]),
         }
     }
 
-    #[inline(never)]
+    #[inline]
     fn size_over_twos(self) -> Option<(u64, u32)> {
         let Self { n, twos } = self.reduced();
-        Some((u64::try_from(n.unsigned_abs()).ok()?, twos))
+        Some((u64::try_from(n.wide().unsigned_abs()).ok()?, twos))
     }
 
-    #[inline(never)]
+    #[inline]
     fn near(self, over: i64) -> Ball {
         let unit = Ball::of(&Number::Tiny(1, self.twos));
-        match narrow(self.n) {
-            Some(n) => Ball::wide_ratio(n, over.into()) * unit,
-            None => Ball::UNDEFINED,
+        match i128::try_from(self.n.wide()) {
+            Ok(n) => Ball::wide_ratio(n, over.into()) * unit,
+            Err(_) => Ball::UNDEFINED,
         }
     }
 
-    #[inline(never)]
-    fn by(self, factor: i128) -> Option<Self> {
-        Some(Self {
-            n: times(self.n, factor.into())?,
-            ..self
+    #[inline(always)]
+    fn by(self, factor: i128) -> Option<Self::Sum> {
+        Some(Dyadic {
+            n: product(self.n, factor)?,
+            twos: self.twos,
         })
     }
 
-    fn square(self) -> Option<Self> {
-        let x = self.reduced();
+    #[inline]
+    fn square(self) -> Option<Self::Sum> {
+        let x = self.wide().reduced();
         x.times(x)
     }
 }
 
-impl Total for Dyadic {
+impl Total for Dyadic<I256> {
     type Size = U256;
 
+    #[inline(always)]
     fn by(self, n: i64) -> Option<Self> {
         Term::by(self, n.into())
     }
 
+    #[inline]
     fn square(self) -> Option<Self> {
         Term::square(self)
     }
@@ -200,7 +264,7 @@ impl Total for Dyadic {
         (self.n.unsigned_abs() % U256::from(of)).as_u64()
     }
 
-    #[inline(never)]
+    #[inline(always)]
     fn divided(self, by: u64, _: u128) -> Self {
         match by {
             1 => self,
@@ -219,8 +283,8 @@ impl Total for Dyadic {
 
 impl Size for U256 {
     #[inline]
-    fn is_one(self) -> bool {
-        self == Self::ONE
+    fn as_power(self) -> Option<u32> {
+        u128::try_from(self).ok()?.as_power()
     }
 
     fn write(self, line: &mut Line<'_>) -> Option<()> {
@@ -241,8 +305,8 @@ mod tests {
         BigRational::from_integer(BigInt::from(1) << k)
     }
 
-    fn rational(x: Dyadic) -> BigRational {
-        let n: BigInt = x.n.to_string().parse().unwrap();
+    fn rational(x: Dyadic<impl Bits>) -> BigRational {
+        let n: BigInt = x.n.wide().to_string().parse().unwrap();
         BigRational::from_integer(n) / power(x.twos)
     }
 
@@ -263,46 +327,73 @@ mod tests {
         ]
     }
 
+    /// Holds numbers of one kind against exact arithmetic; whether what is of some size is never left open is asked of wide
+    /// ones.
+    fn check<N: Bits>(
+        numbers: [f64; 4],
+        (factor, shift, odd): (i128, u32, u64),
+        never_open: bool,
+    ) -> Result<(), TestCaseError> {
+        let known = numbers.map(|x| BigRational::from_float(x).unwrap());
+        let is_of_some_size = |x: &f64| *x == 0.0 || (1e-28..1e25).contains(&x.abs());
+        let are_of_some_size = numbers[..3].iter().all(is_of_some_size);
+        let [Some(a), Some(b), Some(c), Some(d)] = numbers.map(Dyadic::<N>::of) else {
+            return Ok(());
+        };
+        let [e, f, g, h] = &known;
+        prop_assert_eq!(&rational(a), e);
+        let times = BigRational::from_integer(factor.into());
+        let of_terms = [
+            (a.plus(b), e + f),
+            (a.minus(b), e - f),
+            (a.times(c), e * g),
+            (a.size(), e.abs()),
+            (a.by_twos(shift), e * power(shift)),
+            (a.times(c).and_then(|x| x.minus(b.times(d)?)), e * g - f * h),
+        ];
+        for (found, expected) in of_terms {
+            prop_assert!(found.is_none_or(|x| rational(x) == expected));
+        }
+        let of_sums = [
+            (Term::by(a, factor), e * &times),
+            (Term::square(b), f * f),
+            // Of a number and itself nothing is left, over whatever power of two.
+            (
+                a.minus(a).and_then(Term::square),
+                BigRational::from_integer(0.into()),
+            ),
+            (
+                Term::by(a, factor).and_then(|x| x.plus(Term::by(b, 3)?)),
+                e * &times + f * BigRational::from_integer(3.into()),
+            ),
+        ];
+        for (found, expected) in of_sums {
+            prop_assert!(found.is_none_or(|x| rational(x) == expected));
+        }
+        prop_assert_eq!(b.is_negative(), f.is_negative());
+        if let Some(next_to) = a.next_to() {
+            let whole = [e.floor(), e.ceil()].map(|x| x.to_integer());
+            prop_assert_eq!(next_to.map(BigInt::from), whole);
+        }
+        if let Some((n, twos)) = a.size_over_twos() {
+            prop_assert_eq!(BigRational::from_integer(n.into()) / power(twos), e.abs());
+        }
+        let (left, over) = (BigInt::from(a.wide().remainder(odd)), BigInt::from(odd));
+        prop_assert_eq!(left, (e.abs() * power(a.twos)).to_integer() % over);
+        // What has fewer bits than there is room for is never left open.
+        let is_found = a.plus(b).is_some() && a.times(c).is_some();
+        prop_assert!(!(never_open && are_of_some_size) || is_found);
+        Ok(())
+    }
+
     proptest! {
         #[test]
         fn numbers_are_those_of_exact_arithmetic(
             [a, b] in doubles(), [c, d] in doubles(), factor in any::<i128>(), shift in 0..127_u32, odd: u64,
         ) {
-            let known = [a, b, c, d].map(|x| BigRational::from_float(x).unwrap());
-            let is_of_some_size = [a, b, c].iter().all(|x| *x == 0.0 || (1e-28..1e25).contains(&x.abs()));
-            let [Some(a), Some(b), Some(c), Some(d)] = [a, b, c, d].map(Dyadic::of) else {
-                return Ok(());
-            };
-            let [e, f, g, h] = &known;
-            prop_assert_eq!(&rational(a), e);
-            let (factor, odd) = (factor >> shift, odd | 1);
-            let times = BigRational::from_integer(factor.into());
-            let found = [
-                (a.plus(b), e + f),
-                (a.minus(b), e - f),
-                (a.times(c), e * g),
-                (Term::by(a, factor), e * &times),
-                (Term::square(b), f * f),
-                (a.size(), e.abs()),
-                (a.by_twos(shift), e * power(shift)),
-                // Of a number and itself nothing is left, over whatever power of two.
-                (a.minus(a).and_then(Term::square), BigRational::from_integer(0.into())),
-                (a.times(c).and_then(|x| x.minus(b.times(d)?)), e * g - f * h),
-            ];
-            for (found, expected) in found {
-                prop_assert!(found.is_none_or(|x| rational(x) == expected));
-            }
-            prop_assert_eq!(b.is_negative(), f.is_negative());
-            if let Some(next_to) = a.next_to() {
-                prop_assert_eq!(next_to.map(BigInt::from), [e.floor(), e.ceil()].map(|x| x.to_integer()));
-            }
-            if let Some((n, twos)) = a.size_over_twos() {
-                prop_assert_eq!(BigRational::from_integer(n.into()) / power(twos), e.abs());
-            }
-            let (left, over) = (BigInt::from(a.remainder(odd)), BigInt::from(odd));
-            prop_assert_eq!(left, (e.abs() * power(a.twos)).to_integer() % over);
-            // What has fewer bits than there is room for is never left open.
-            prop_assert!(!is_of_some_size || (a.plus(b).is_some() && a.times(c).is_some()));
+            let more = (factor >> shift, shift, odd | 1);
+            check::<i128>([a, b, c, d], more, false)?;
+            check::<I256>([a, b, c, d], more, true)?;
         }
     }
 }

@@ -86,6 +86,22 @@ fn inverse(of: u64) -> u128 {
     half.wrapping_mul(2_u128.wrapping_sub(wide.wrapping_mul(half)))
 }
 
+/// The greatest common divisor of an odd number and another: without branches that depend on their bits, of which
+/// processors guess half wrongly.
+#[inline]
+fn divisor_of_odd(odd: u64, n: u64) -> u64 {
+    if n == 0 {
+        return odd;
+    }
+    let mut less = n >> n.trailing_zeros();
+    let mut more = odd % less;
+    while more != 0 {
+        more >>= more.trailing_zeros();
+        (less, more) = (less.min(more), less.abs_diff(more));
+    }
+    less
+}
+
 /// The odd primes that some denominators are made of.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Primes(Vec<Prime>);
@@ -375,7 +391,7 @@ impl Split {
     fn without(&self, n: u64) -> Beside {
         let common = match self.rest {
             1 => 1,
-            rest => num_integer::gcd(n, rest),
+            rest => divisor_of_odd(rest, n),
         };
         match common {
             1 => Beside {
@@ -422,8 +438,8 @@ impl<S: Size> Quotient<S> {
     pub(crate) fn write(&self, line: &mut Line<'_>) -> Option<()> {
         line.append_some(*b",-", self.sign as u32)?;
         self.numerator.write(line)?;
-        if self.denominator.is_one() {
-            return Some(());
+        if let Some(logarithm) = self.denominator.as_power() {
+            return line.append_over_power(logarithm.into());
         }
         line.append_some(*b"/", 1)?;
         self.denominator.write(line)

@@ -17,6 +17,36 @@ pub(super) const EIGHT: u64 = 10_u64.pow(8);
 
 pub(super) const SIXTEEN: u64 = 10_u64.pow(16);
 
+/// As many characters of a denominator are copied at a time.
+const WIDTH: usize = 64;
+
+/// "/2", "/4" and so on up to "/170141183460469231731687303715884105728" by their logarithm, nothing for one; and behind each
+/// how long it is.
+static OVER_POWERS: [[u8; WIDTH]; u128::BITS as usize] = over_powers();
+
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the compiler, which computes this, refuses an index that is out of bounds"
+)]
+const fn over_powers() -> [[u8; WIDTH]; u128::BITS as usize] {
+    let mut all = [[0; WIDTH]; u128::BITS as usize];
+    let mut k = 1;
+    while k < all.len() {
+        let text = &mut all[k];
+        text[0] = b'/';
+        let mut rest = 1_u128 << k;
+        let mut place = 2 + rest.ilog10() as usize;
+        text[WIDTH - 1] = place as u8;
+        while rest > 0 {
+            place -= 1;
+            text[place] = b'0' + (rest % 10) as u8;
+            rest /= 10;
+        }
+        k += 1;
+    }
+    all
+}
+
 /// Room for what is written of a row, and where it ends.
 #[derive(Debug)]
 pub(crate) struct Line<'a> {
@@ -60,6 +90,15 @@ impl<'a> Line<'a> {
         Some(())
     }
 
+    /// Appends what stands behind a numerator whose denominator is this power of two, below 2¹²⁸; `None` where there is no
+    /// room.
+    #[inline(always)]
+    pub(crate) fn append_over_power(&mut self, logarithm: u64) -> Option<()> {
+        let text = OVER_POWERS.get(usize::try_from(logarithm).ok()?)?;
+        let [.., length] = *text;
+        self.append_some(*text, length.into())
+    }
+
     /// Appends a whole number.
     #[inline]
     pub(crate) fn append_whole(&mut self, n: u64) -> Option<()> {
@@ -70,7 +109,8 @@ impl<'a> Line<'a> {
             return self.append_some((digits >> (8 * zeros)).to_le_bytes(), 8 - zeros);
         }
         if n >= SIXTEEN {
-            return self.append(itoa::Buffer::new().format(n).as_bytes());
+            self.append_whole(n / SIXTEEN)?;
+            return self.append_some(sixteen(n % SIXTEEN).to_le_bytes(), 16);
         }
         let digits = sixteen(n);
         let zeros = (digits ^ ZEROS).trailing_zeros() / 8;

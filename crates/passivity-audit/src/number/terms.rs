@@ -77,7 +77,8 @@ pub(crate) trait Total: Exact + From<i128> {
 
 /// A whole number above zero, or zero, that is written.
 pub(crate) trait Size: Copy + Debug + From<u128> {
-    fn is_one(self) -> bool;
+    /// Its logarithm, where it is a power of two below 2¹²⁸.
+    fn as_power(self) -> Option<u32>;
     /// Appends its digits; `None` where there is no room.
     fn write(self, line: &mut Line<'_>) -> Option<()>;
 }
@@ -185,8 +186,8 @@ impl Total for i128 {
 
 impl Size for u128 {
     #[inline(always)]
-    fn is_one(self) -> bool {
-        self == 1
+    fn as_power(self) -> Option<u32> {
+        self.is_power_of_two().then(|| self.trailing_zeros())
     }
 
     #[inline(always)]

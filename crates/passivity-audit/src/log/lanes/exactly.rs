@@ -4,8 +4,9 @@
 //! part of a wall is a sum of few products of such numbers, each times a factor that is the same for the whole log. Over
 //! one denominator these are sums of whole numbers, and the primes of the denominator are known. Only the length of an
 //! interval, and the distance in the margin, are denominators that change from row to row. A row whose sums 128 bits do not
-//! hold, as where numbers are doubles, is computed with whole numbers of 256 bits over powers of two. What these do not
-//! hold is left open, and so is a motion that does not stay on one part of the wall.
+//! hold, as where numbers are doubles, is computed with whole numbers over powers of two: of 128 bits with sums of 256, or
+//! of 256 bits throughout. What these do not hold is left open, and so is a motion that does not stay on one part of the
+//! wall.
 
 mod constants;
 mod counts;
@@ -14,6 +15,7 @@ mod row;
 use constants::{Constants, Part, parts};
 pub(super) use counts::Counts;
 
+use ethnum::I256;
 use num_bigint::BigInt;
 use num_traits::{Signed as _, ToPrimitive as _};
 use passivity_core::{BigRational, Scalar as _};
@@ -59,16 +61,17 @@ pub(super) trait Written {
         line: &mut Line<'_>,
     ) -> Option<()>;
 
-    /// Of numbers that are longer than the machine's.
+    /// The same, on its own: of numbers that are longer than the machine's.
     #[inline(never)]
-    fn write_widely(
+    fn write_widely<T: Read>(
         &self,
         row: Row<'_, Self::Samples>,
         length: Length,
         form: Form,
         line: &mut Line<'_>,
     ) -> Option<()> {
-        self.write_as::<Dyadic>(row, length, form, line)
+        line.clear();
+        self.write_as::<T>(row, length, form, line)
     }
 
     /// Writes the row of an interval that lasts so long; nothing, and `None`, where it is left open.
@@ -80,10 +83,9 @@ pub(super) trait Written {
         (room, out): (&mut [u8; Line::ROOM], &mut Vec<u8>),
     ) -> Option<()> {
         let line = &mut Line::new(room, 0);
-        if self.write_as::<i64>(row, length, form, line).is_none() {
-            line.clear();
-            self.write_widely(row, length, form, line)?;
-        }
+        self.write_as::<i64>(row, length, form, line)
+            .or_else(|| self.write_widely::<Dyadic<i128>>(row, length, form, line))
+            .or_else(|| self.write_widely::<Dyadic<I256>>(row, length, form, line))?;
         out.extend_from_slice(line.text());
         Some(())
     }

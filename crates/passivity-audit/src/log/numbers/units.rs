@@ -4,7 +4,7 @@ use passivity_core::{BigRational, Scalar as _};
 
 use super::{Numbers, Readings};
 use crate::log::scale::Scale;
-use crate::number::{Dyadic, Exact as _, Term, power_of_ten};
+use crate::number::{Bits, Dyadic, Exact as _, Term, power_of_ten};
 
 /// What all numbers of a column are whole multiples of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,7 +80,8 @@ impl Read for i64 {
     }
 }
 
-impl Read for Dyadic {
+impl<N: Bits> Read for Dyadic<N> {
+    #[inline]
     fn read(column: &Numbers, i: usize, unit: Unit) -> Option<Self> {
         match (column, unit) {
             (Numbers::Doubles(values), Unit::Twos(k)) => {

@@ -47,6 +47,9 @@ proptest! {
             let expected = BigRational::new(numerator, &over << twos);
             prop_assert_eq!(text(found), expected.to_string());
         }
+        for [a, b] in [[x, product[0]], [product[1], x >> bits], [x, x]] {
+            prop_assert_eq!(divisor_of_odd(a | 1, b), num_integer::gcd(a | 1, b));
+        }
         // Of n·x + product, all that it can have in common with the rest of x is what the product has.
         let x = (x >> bits).max(1);
         let product = product.map(|n| n >> bits.max(24) >> 20);

@@ -119,8 +119,9 @@ impl Exactly {
             both(|end| end.net[0]),
             both(|end| end.net[1]),
         ];
-        let margin = both(|end| end.margin);
-        let covers = |[lo, hi]: [QuotientOf<T>; 2]| Truth::over(!lo.is_negative(), !hi.is_negative());
+        let margin @ [margin_lo, margin_hi] = both(|end| end.margin);
+        let covers =
+            |[lo, hi]: [QuotientOf<T>; 2]| Truth::over(!lo.is_negative(), !hi.is_negative());
         let (force, over) = &self.force;
         let force = match row.force {
             Some(f) => Some(f.by((*force).into())?.quotient(&self.primes, over, 1)?),
@@ -133,7 +134,7 @@ impl Exactly {
                 violates_quantized: not(covers(energies[6])),
             },
             energies,
-            margin: margin.map(|margin| moves.then_some(margin)),
+            margin: [moves.then_some(margin_lo), moves.then_some(margin_hi)],
             force: [force; 2],
         })
     }

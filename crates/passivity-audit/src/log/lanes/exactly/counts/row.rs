@@ -91,7 +91,8 @@ impl Counts {
             }
             None => None,
         };
-        let covers = |[lo, hi]: [QuotientOf<T>; 2]| Truth::over(!lo.is_negative(), !hi.is_negative());
+        let covers =
+            |[lo, hi]: [QuotientOf<T>; 2]| Truth::over(!lo.is_negative(), !hi.is_negative());
         let signs = |friction: &Friction| {
             let sum = &friction.margin.0;
             let at = |d: i64| Some(sum.at([d, row.lasts])? >= 0);
