@@ -12,8 +12,9 @@ use crate::log::header::{Heading, split};
 use crate::log::preview::Preview;
 
 /// What a motor is called, alone or as a part of a longer word: `Motorwinkel`, `servomotor`.
-const MOTOR: [&str; 16] = [
+const MOTOR: [&str; 17] = [
     "motor",
+    "armature",
     "mtr",
     "actuator",
     "servo",
@@ -29,6 +30,15 @@ const MOTOR: [&str; 16] = [
     "モータ",
     "모터",
     "전동기",
+];
+
+/// What is where the encoder is, as far as nothing says that it is at the device: with the encoder at the motor, its shaft is
+/// the one that goes into the transmission.
+const AT_ENCODER: [&str; 6] = ["encoder", "enc", "shaft", "input", "mech", "mechanical"];
+
+/// What is behind the transmission.
+const AT_DEVICE: [&str; 7] = [
+    "output", "load", "device", "handle", "knob", "paddle", "joint",
 ];
 
 /// What only turns is called.
@@ -52,7 +62,15 @@ pub(super) fn is_at_motor(kind: Kind, heading: &Heading, scene: &Scene) -> bool 
         let is_turned = scene.motion != Motion::Linear || ANGLES.into_iter().any(has);
         has("m") || (is_last && is_turned)
     });
-    is_short || words(&heading.name).iter().any(is_motor)
+    let is_encoded = counts_are_at_motor(scene) && is_at_encoder(kind, heading);
+    is_short || is_encoded || words(&heading.name).iter().any(is_motor)
+}
+
+/// Whether the name of a column seems to be that of a motion at the encoder: `encoder_angle`, `shaft_angle`.
+fn is_at_encoder(kind: Kind, heading: &Heading) -> bool {
+    let words = words(&heading.name);
+    let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
+    matches!(kind, Kind::Position | Kind::Velocity) && has(&AT_ENCODER) && !has(&AT_DEVICE)
 }
 
 /// Whether the encoder of the scene is at the motor, so that the counts of a log are, too.
@@ -106,8 +124,12 @@ pub(super) fn not_at_device(
         }
         _ => "",
     };
+    let by_name = match counted && is_at_encoder(kind, heading) {
+        true => "by its name, as the scene's encoder is there,",
+        false => "by its name",
+    };
     Some(format!(
-        "by its name it seems to be at the motor, but `{name}` is at the device, behind the transmission{also}: {verb} \
+        "{by_name} it seems to be at the motor, but `{name}` is at the device, behind the transmission{also}: {verb} \
          {what} and call the column `{name} [{unit}]`{counts}"
     ))
 }

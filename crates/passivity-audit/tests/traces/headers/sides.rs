@@ -107,6 +107,50 @@ fn a_motion_of_the_motor_is_not_proposed_as_one_of_the_device() {
     }
 }
 
+/// The scene says where its encoder is.
+#[test]
+fn a_motion_of_an_encoder_at_the_motor_is_not_proposed_as_one_of_the_device() {
+    let rows = ["0.1", "0.28", "0.1"];
+    for name in [
+        "encoder_angle [rad]",
+        "encoder [rad]",
+        "enc_pos [rad]",
+        "shaft_angle",
+        "input_angle",
+        "mech_angle",
+        "armature_angle [rad]",
+        "axis0.encoder.pos_estimate",
+    ] {
+        let error = refused(&geared("motor"), name, rows);
+        assert_eq!(error.proposal, None, "{error}");
+        let text = error.to_string();
+        assert!(text.contains("divide its numbers by the ratio"), "{text}");
+        assert!(!text.contains("x=") && !text.contains("count="), "{text}");
+        // Who names it says that it is at the device.
+        let columns = format!("t=t [s], x={name}");
+        let columns = match name.contains('[') {
+            true => columns,
+            false => columns + " [rad]",
+        };
+        audited_on(&geared("motor"), &log(name, rows), Some(&columns)).unwrap();
+        if !name.starts_with("armature") {
+            let proposal = refused(&geared("device"), name, rows).proposal.unwrap();
+            assert_eq!(proposal.columns, columns);
+        }
+    }
+    // A second one may be behind the transmission.
+    for name in ["output_encoder [rad]", "joint_enc_pos [rad]"] {
+        let proposal = refused(&geared("motor"), name, rows).proposal.unwrap();
+        assert_eq!(proposal.columns, format!("t=t [s], x={name}"));
+    }
+    // Its counts are those of the scene.
+    for name in ["encoder", "enc_pos", "shaft_angle"] {
+        let proposal = refused(&geared("motor"), name, ["0", "40", "-3"]).proposal;
+        let columns = format!("t=t [s], count={name}");
+        assert_eq!(proposal.unwrap().columns, columns);
+    }
+}
+
 #[test]
 fn counts_are_at_the_side_of_the_encoder() {
     let rows = ["0", "40", "-3"];
