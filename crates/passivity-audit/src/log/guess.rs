@@ -14,7 +14,7 @@ use kind::Kind;
 pub(crate) use proposal::propose;
 pub use proposal::{Otherwise, Proposal};
 pub(crate) use rising::only_rises;
-use score::{called, held, own_unit, score};
+use score::{called, held, may_be_force, own_unit, score};
 pub(crate) use units::same_letters;
 pub(crate) use whole::{either, has_no_unit, is_unclear, no_encoder, units_of_motion};
 use words::{COUNTED, OF_STEPS, words};
@@ -134,7 +134,8 @@ pub(crate) fn unreadable(
         let free = columns.filter(|(column, _)| !said.iter().any(|f| f.column == *column));
         let called = free.filter_map(|(column, heading)| {
             let mut score = called(kind, heading, scene.motion);
-            if kind == Kind::Force && has_force(heading) {
+            if kind == Kind::Force && (has_force(heading) || may_be_force(heading, column, preview))
+            {
                 score += LIKELY;
             }
             if kind == Kind::Time && is_counter(headings, preview, column) {

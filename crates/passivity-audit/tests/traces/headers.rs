@@ -122,16 +122,16 @@ fn forces_of_other_names_are_not_passed_over() {
 
 #[test]
 fn what_is_not_read_is_listed_whether_columns_were_told_or_not() {
-    let log = "t [s],x [mm],dt,u,\n0,0,1,2,3\n0.001,0,1,2,3\n";
+    let log = "t [s],x [mm],dt,w,\n0,0,1,2,3\n0.001,0,1,2,3\n";
     for columns in [None, Some("t=t [s], x=x [mm]")] {
         let audit = audited(log, columns).unwrap();
         assert_eq!(
             audit.to_json()["not_read"],
-            serde_json::json!(["dt", "u", "number 5"])
+            serde_json::json!(["dt", "w", "number 5"])
         );
         let text = audit.to_text();
         assert!(
-            text.contains("  not read                     dt, u, number 5\n"),
+            text.contains("  not read                     dt, w, number 5\n"),
             "{text}"
         );
     }

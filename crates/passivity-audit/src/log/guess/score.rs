@@ -7,7 +7,8 @@ use super::clock::{
 };
 use super::kind::Kind;
 use super::words::{
-    HELD, MEASURED, NO_FORCE, NO_POSITION, NO_TIME, NOT_MEASURED, PERHAPS_WANTED, words,
+    COMMANDED, COMMANDER, FORCE_PAIRS, HELD, MEASURED, NO_FORCE, NO_POSITION, NO_TIME,
+    NOT_MEASURED, PERHAPS_WANTED, words,
 };
 use super::{LIKELY, has_force, is_counted, is_none_of, side, units, whole};
 use crate::log::error::shown;
@@ -35,7 +36,10 @@ pub(super) fn called(kind: Kind, heading: &Heading, motion: Motion) -> i32 {
     }
     // Everything on a topic of this name has the word; of the thing itself it is the last, but for a component.
     let last = words.iter().rev().find(|word| word.len() > 1);
-    if kind == Kind::Force && last.is_some_and(|word| word == "wrench") {
+    let is_pair = |pair: &[&str; 2]| words.ends_with(&pair.map(str::to_owned));
+    if kind == Kind::Force
+        && (last.is_some_and(|word| word == "wrench") || FORCE_PAIRS.iter().any(is_pair))
+    {
         named.push(true);
     }
     let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
@@ -72,6 +76,21 @@ pub(super) fn called(kind: Kind, heading: &Heading, motion: Motion) -> i32 {
         score -= i32::from(has(&PERHAPS_WANTED));
     }
     score
+}
+
+/// Whether a column without a unit may be a force by what else it is called: as a command is, or by the unit alone. One
+/// of text has commands of another kind, and one that rises by whole numbers is `N`, their number.
+pub(super) fn may_be_force(heading: &Heading, column: usize, preview: &Preview) -> bool {
+    let has_unit = split(&heading.name).map_or(true, |split| split.unit.is_some());
+    let is_number = preview.is_whole(column) && preview.increases(column) && preview.moves(column);
+    if has_unit || is_number || preview.no_number(column).is_some() {
+        return false;
+    }
+    let words = words(&heading.name);
+    let is_in = |list: &[&str], word: &String| list.contains(&word.as_str());
+    let is_known = |word: &String| is_in(&COMMANDED, word) || is_in(&COMMANDER, word);
+    let is_command = words.iter().all(is_known) && words.iter().any(|word| is_in(&COMMANDED, word));
+    is_command || is_unit_of_force(&heading.name)
 }
 
 /// How much what a column holds looks like a kind; or why it cannot be of that kind.
@@ -151,6 +170,9 @@ pub(super) fn score(
     }
     let mut score = held(kind, headings, column, preview, scene).ok()?;
     score += called(kind, heading, scene.motion);
+    if kind == Kind::Force && may_be_force(heading, column, preview) {
+        score += LIKELY;
+    }
     match counter(headings, preview, column).filter(|_| kind == Kind::Time) {
         Some(Counter::Periods) => return Some(LIKELY),
         Some(Counter::Ticks) => return Some(LIKELY + 1),

@@ -238,6 +238,12 @@ pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<Stri
     if let Some(of_heat) = of_heat(name) {
         return Err(no_unit(of_heat, kind, motion));
     }
+    if kind == Kind::Force && is_unit_of_force(name) {
+        return match fits(kind, name, motion) {
+            true => Ok(Some(name.trim().to_owned())),
+            false => Err(no_unit(name, kind, motion)),
+        };
+    }
     let own = of_itself(kind, name);
     match in_words(kind, own, motion, name.contains('/'))? {
         // What is before that may say it too, but what is of another kind there is no unit.

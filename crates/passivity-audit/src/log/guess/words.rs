@@ -174,6 +174,35 @@ pub(super) const NO_POSITION: [&str; 12] = [
 /// What a force that was held is called.
 pub(super) const HELD: [&str; 6] = ["cmd", "command", "commanded", "motor", "applied", "desired"];
 
+/// What a column is called that may have the force that a controller commands, where all its words are of these two lists:
+/// `u`, `pid_out`, `/motor/cmd.data`, `par_motor`.
+pub(super) const COMMANDED: [&str; 9] = [
+    "u",
+    "cmd",
+    "command",
+    "commanded",
+    "control",
+    "ctrl",
+    "output",
+    "out",
+    "par",
+];
+pub(super) const COMMANDER: [&str; 10] = [
+    "actuator",
+    "controller",
+    "data",
+    "device",
+    "haptic",
+    "motor",
+    "pid",
+    "signal",
+    "value",
+    "wall",
+];
+
+/// What is called a force by two words at the end of its name.
+pub(super) const FORCE_PAIRS: [[&str; 2]; 3] = [["t", "q"], ["load", "cell"], ["ft", "sensor"]];
+
 /// What stands behind the letter of a force in one word, as in `Fcmd` and `Ttot`.
 pub(super) const OF_FORCE: [&str; 9] = [
     "cmd", "command", "motor", "mot", "applied", "tot", "total", "out", "act",

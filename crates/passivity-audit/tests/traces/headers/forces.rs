@@ -251,3 +251,67 @@ fn how_many_digits_forces_have_does_not_depend_on_how_a_log_is_cut_into_files() 
     cut.as_object_mut().unwrap().remove("files");
     assert_eq!(cut, whole);
 }
+
+#[test]
+fn forces_that_are_called_by_their_unit_or_as_a_command_are_not_passed_over() {
+    let forces = ["0.5", "-0.1", "0.25"];
+    for name in [
+        "T_q",
+        "Tq",
+        "Mz",
+        "Fh",
+        "load_cell",
+        "ft_sensor",
+        "u",
+        "u_cmd",
+        "cmd",
+        "command",
+        "control",
+        "output",
+        "pid_out",
+        "par",
+        "par_motor",
+        "voima",
+        "haptic_out",
+        "/command.data",
+        "/motor/cmd.data",
+        "/haptic/u.data",
+    ] {
+        let columns = format!("t=t [s], x=x [mm], f={name} [N]");
+        assert_eq!(proposed(&log(name, forces), None), columns);
+        audited(&log(name, forces), Some(&columns)).unwrap();
+        // What says more is meant where there are both.
+        let both = format!("t [s],x [mm],{name},force [N]\n0,0,1,0\n0.001,0.1,0.5,0\n");
+        let expected = "t=t [s], x=x [mm], f=force [N]";
+        assert_eq!(proposed(&both, None), expected, "{name}");
+    }
+    for (name, unit) in [("N", "N"), ("mN", "mN")] {
+        let columns = format!("t=t [s], x=x [mm], f={name} [{unit}]");
+        assert_eq!(proposed(&log(name, forces), None), columns);
+        audited(&log(name, forces), Some(&columns)).unwrap();
+    }
+    for unit in ["Nm", "mNm", "N m", "N.m"] {
+        let log = log(unit, forces).replace("x [mm]", "x [rad]");
+        let columns = format!("t=t [s], x=x [rad], f={unit} [{unit}]");
+        assert_eq!(proposed_on_rotary(&log), columns);
+        audited_on(&rotary(), &log, Some(&columns)).unwrap();
+    }
+    // One of the scene's other motion cannot be read.
+    let error = refused(&log("Nm", forces), None);
+    assert_eq!(error.proposal, None, "{error}");
+    // Voltages and currents, motions, commands in words and the number of a row are none.
+    let numbers = ["0", "1", "2"];
+    for (name, values) in [
+        ("u [V]", forces),
+        ("cmd [A]", forces),
+        ("pos_cmd [mm]", forces),
+        ("command", ["start", "", "stop"]),
+        ("N", numbers),
+    ] {
+        audited(&log(name, values), None).unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+    // Where no position is known, the force stands in what is to be filled in.
+    let log = "tiempo_us,codificador,par_motor\n0,0,0.5\n1000,3,0.25\n2000,1,0\n";
+    let error = refused(log, None).to_string();
+    assert!(error.contains("count=NAME, f=par_motor [N]"), "{error}");
+}
