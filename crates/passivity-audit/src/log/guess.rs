@@ -8,12 +8,14 @@ use passivity_scene::{Motion, Scene};
 use crate::log::columns::{Found, Role};
 use crate::log::header::{Heading, is_of_recorder, is_unit_of_force, split};
 use crate::log::preview::Preview;
+pub(crate) use clock::other_unit;
 use clock::{Counter, Parts, counter, parts_of_time, unit_of_time};
 pub(crate) use joints::others;
 use kind::Kind;
 pub(crate) use proposal::propose;
 pub use proposal::{Otherwise, Proposal};
 pub(crate) use rising::only_rises;
+pub(crate) use rivals::{in_doubt, plain_is_meant, why_in_doubt, with_plain};
 use score::{called, held, may_be_force, own_unit, score};
 pub(crate) use units::same_letters;
 pub(crate) use whole::{either, has_no_unit, is_unclear, no_encoder, units_of_motion};
@@ -24,6 +26,7 @@ mod joints;
 mod kind;
 mod proposal;
 mod rising;
+mod rivals;
 mod score;
 mod side;
 mod units;
@@ -237,7 +240,9 @@ pub(crate) fn named(
     let is_timed = has_clock || said.iter().any(|f| Kind::of(f.role) == Kind::Time);
     // Alone with what is not known, as even as a clock is none but one.
     let is_clock = |column| !is_timed && headings.len() > 1 && preview.is_even(column);
+    let in_doubt = in_doubt(headings, preview, scene);
     let goes_behind = |c: &Candidate| match c.kind {
+        _ if in_doubt.iter().any(|found| found.column == c.column) => true,
         Kind::Time => has_clock && counts_up(c),
         Kind::Position => (has_place || is_clock(c.column)) && counts_up(c),
         Kind::Force | Kind::Velocity => false,

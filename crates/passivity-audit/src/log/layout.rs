@@ -106,14 +106,15 @@ impl Layout {
                     return Ok(layout);
                 }
                 let mut said = by_name(&headings).map_err(|e| proposed(e, &[]))?;
-                if is_no_clock(&said, &headings, preview, scene) {
-                    said.retain(|found| found.role != Role::Tau);
-                }
+                let is_no_clock = is_no_clock(&said, &headings, preview, scene);
+                let in_doubt = guess::in_doubt(&headings, preview, scene);
                 said.retain(|found| {
-                    !is_no_time(found, &headings, preview)
-                        && !guess::is_another(found, &headings)
-                        && !is_no_length(found, &headings, scene)
-                        && !guess::is_unclear(found, &headings, preview, scene)
+                    !(is_no_clock && found.role == Role::Tau
+                        || in_doubt.contains(found)
+                        || is_no_time(found, &headings, preview)
+                        || guess::is_another(found, &headings)
+                        || is_no_length(found, &headings, scene)
+                        || guess::is_unclear(found, &headings, preview, scene))
                 });
                 let unread = guess::unread(&headings, preview, scene, &said);
                 let known: Vec<Found> = said.iter().chain(&unread).cloned().collect();

@@ -5,6 +5,7 @@ use passivity_scene::Scene;
 use super::kind::Kind;
 use super::units::is_multiple;
 use super::words::{COUNTED, OF_PERIODS, OF_TICKS, words};
+use crate::log::columns::Found;
 use crate::log::header::{Heading, split};
 use crate::log::preview::Preview;
 
@@ -63,17 +64,54 @@ pub(super) fn unit_of_time(name: &str, step: Option<f64>, scene: &Scene) -> &'st
     unit_said(name).unwrap_or_else(|| nearest_unit(step, scene))
 }
 
-/// The unit in which a clock goes on by about a sampling period from row to row.
+/// The unit in which a clock goes on by about a sampling period from row to row; where two are about as far from that, the
+/// one in which it goes on by more.
 pub(super) fn nearest_unit(step: Option<f64>, scene: &Scene) -> &'static str {
-    nearest(step, scene).map_or("s", |(name, _)| name)
+    let [longer, _] = within_reach(step, scene);
+    let nearest = || nearest(step, scene).map(|(name, _)| name);
+    longer.or_else(nearest).unwrap_or("s")
 }
 
-/// The same, and how many sampling periods it goes on by, where that is known.
-pub(super) fn nearest(step: Option<f64>, scene: &Scene) -> Option<(&'static str, f64)> {
+/// The other unit in which a clock without one may tick as well, as that of a log printed every 50 ms with a scene of 1 ms:
+/// in microseconds the times would say that a period has twenty rows.
+pub(crate) fn other_unit(
+    found: &Found,
+    headings: &[Heading],
+    preview: &Preview,
+    scene: &Scene,
+) -> Option<&'static str> {
+    let heading = headings.get(found.column)?;
+    let has_own = heading.unit.is_some() || split(&heading.name).ok()?.unit.is_some();
+    let is_open = !has_own && unit_said(&heading.name).is_none();
+    let [longer, shorter] = within_reach(preview.step(found.column), scene);
+    shorter.filter(|_| is_open && longer == found.unit.as_deref())
+}
+
+/// Two units in which a clock goes on by between a hundredth of a sampling period and a hundred of them, where it does not
+/// go on by about one in either.
+fn within_reach(step: Option<f64>, scene: &Scene) -> [Option<&'static str>; 2] {
+    const FAR: f64 = 100.0;
+    let periods = in_periods(step, scene).unwrap_or_default();
+    let is_clear = periods.iter().any(|(_, periods)| is_about_one(*periods));
+    let is_near = |(_, periods): &&(_, f64)| !is_clear && (1.0 / FAR..=FAR).contains(periods);
+    let mut near = periods.iter().filter(is_near).map(|(name, _)| *name);
+    match (near.next(), near.next()) {
+        (Some(longer), Some(shorter)) => [Some(longer), Some(shorter)],
+        _ => [None, None],
+    }
+}
+
+/// How many sampling periods a step is in each unit, the longest unit first.
+fn in_periods(step: Option<f64>, scene: &Scene) -> Option<[(&'static str, f64); 4]> {
     let period = scene.given.map(|_, given| given.nominal.clone()).period;
     let period = passivity_scene::number::nearest_f64(&period.to_rational()?);
     let step = step?;
-    let periods = UNITS.map(|(name, per_second, _)| (name, step / per_second / period));
+    Some(UNITS.map(|(name, per_second, _)| (name, step / per_second / period)))
+}
+
+/// The unit in which a step is nearest to a sampling period, and how many of them it is.
+pub(super) fn nearest(step: Option<f64>, scene: &Scene) -> Option<(&'static str, f64)> {
+    let periods = in_periods(step, scene)?;
     let off = |periods: f64| periods.ln().abs();
     let best = periods.into_iter();
     best.min_by(|(_, a), (_, b)| off(*a).total_cmp(&off(*b)))

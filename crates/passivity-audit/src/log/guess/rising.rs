@@ -7,7 +7,7 @@ use super::kind::Kind;
 use super::score::own_unit;
 use super::units::{is_of_another, not_unknown};
 use super::words::words;
-use super::{Unreadable, score, unreadable};
+use super::{Unreadable, in_doubt, score, unreadable};
 use crate::log::columns::{Found, Role};
 use crate::log::header::{Heading, read_unit, split};
 use crate::log::preview::Preview;
@@ -128,6 +128,12 @@ fn rising(
         })
     };
     let mut found: Vec<Result<Found, Unreadable>> = rises.map(read).collect();
+    // What is called `count` may be a position rather than a clock that cannot be read.
+    let in_doubt = in_doubt(headings, preview, scene);
+    found.retain(|found| match found {
+        Ok(_) => true,
+        Err(it) => in_doubt.iter().all(|plain| plain.column != it.column),
+    });
     // What has a unit says more than a counter; of equals the first column, as the sort is stable.
     found.sort_by_key(|found| match found {
         Ok(found) if found.role == Role::T => 0,

@@ -43,6 +43,11 @@ pub(super) fn not_read(
             name(found.column)
         )
     }));
+    let in_doubt = guess::in_doubt(headings, preview, scene);
+    said.extend(in_doubt.iter().map(|found| {
+        let why = guess::why_in_doubt(found, preview);
+        format!("the column {} {why}", name(found.column))
+    }));
     let cannot_be_read = |column: usize, why: &str, put_right: &str| {
         format!(
             "the column {} cannot be read ({why}): {put_right}",
@@ -178,12 +183,11 @@ pub(super) fn proposal(
     if !is_read(&proposal.columns) {
         return None;
     }
-    let is_assumed = |found: &Found| {
-        let is_typed = said
-            .iter()
-            .any(|it| it.column == found.column && it.unit.is_some());
-        !is_typed && guess::has_no_unit(found, headings, scene)
+    let is_typed = |found: &Found| {
+        let mut typed = said.iter().filter(|it| it.unit.is_some());
+        typed.any(|it| it.column == found.column)
     };
+    let is_assumed = |found: &Found| !is_typed(found) && guess::has_no_unit(found, headings, scene);
     let [_, [of_positions, of_velocities]] = guess::units_of_motion(scene.motion);
     let in_other_unit = |found: &Found| {
         let unit = match found.role {
@@ -200,32 +204,49 @@ pub(super) fn proposal(
             ..found.clone()
         }
     };
-    let way = |found: &[Found], condition: String| {
-        let columns = guess::propose(found, headings)?.columns;
-        is_read(&columns).then_some(Otherwise { condition, columns })
+    let in_unit = format!("positions are in {of_positions}");
+    // What the header leaves open as well: where each is meant, and what it makes of the columns.
+    let mut ways: Vec<(Vec<String>, Vec<Found>)> = vec![(Vec::new(), all.clone())];
+    let mut leaves_open = |condition: &str, other: &dyn Fn(&[Found]) -> Vec<Found>| {
+        let others = ways.iter().map(|(conditions, found)| {
+            let conditions = conditions.iter().cloned().chain([condition.to_owned()]);
+            (conditions.collect(), other(found))
+        });
+        let is_new = |(_, found): &(_, Vec<Found>)| ways.iter().all(|(_, own)| own != found);
+        let others: Vec<_> = others.filter(is_new).collect();
+        ways.extend(others);
     };
-    let no_clock = (sure.len() < all.len()).then_some("it is no clock");
-    if let Some(condition) = no_clock {
-        proposal.otherwise.push(way(&sure, condition.to_owned())?);
-    }
-    if all
-        .iter()
-        .any(|found| found.role == Role::X && is_assumed(found))
-    {
-        let in_unit = format!("positions are in {of_positions}");
-        let converted =
-            |found: &[Found]| -> Vec<Found> { found.iter().map(in_other_unit).collect() };
-        let other = way(&converted(&all), in_unit.clone());
-        // Without an encoder angles are read only in radians.
-        if other.is_none() {
-            proposal.assumed.push(format!(
-                "positions in {of_positions} are to be converted first"
-            ));
+    leaves_open("it is no clock", &|_| sure.clone());
+    for found in all.iter().filter(|it| it.role == Role::T && !is_typed(it)) {
+        if let Some(unit) = guess::other_unit(found, headings, preview, scene) {
+            leaves_open(&format!("times are in {unit}"), &|columns| {
+                let mut columns = columns.to_vec();
+                for it in columns.iter_mut().filter(|it| it.column == found.column) {
+                    it.unit = Some(unit.to_owned());
+                }
+                columns
+            });
         }
-        proposal.otherwise.extend(other);
-        let both = no_clock
-            .and_then(|no_clock| way(&converted(&sure), format!("{no_clock} and {in_unit}")));
-        proposal.otherwise.extend(both);
+    }
+    if all.iter().any(|it| it.role == Role::X && is_assumed(it)) {
+        leaves_open(&in_unit, &|found| found.iter().map(in_other_unit).collect());
+    }
+    let in_doubt = guess::in_doubt(headings, preview, scene);
+    for plain in in_doubt.iter().filter(|plain| !is_said(plain)) {
+        leaves_open(&guess::plain_is_meant(plain, headings), &|found| {
+            guess::with_plain(plain, found)
+        });
+    }
+    for (conditions, found) in ways.into_iter().skip(1) {
+        let columns = guess::propose(&found, headings)?.columns;
+        if is_read(&columns) {
+            let condition = conditions.join(" and ");
+            proposal.otherwise.push(Otherwise { condition, columns });
+        } else if conditions == [in_unit.as_str()] {
+            // Without an encoder angles are read only in radians.
+            let assumed = format!("positions in {of_positions} are to be converted first");
+            proposal.assumed.push(assumed);
+        }
     }
     Some(Box::new(proposal))
 }

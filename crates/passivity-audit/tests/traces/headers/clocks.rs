@@ -184,7 +184,7 @@ fn the_unit_of_a_clock_is_the_one_that_its_name_says() {
             "t=timestamp_ns_utc [ns]",
         ),
         // Names that say nothing, or of something else.
-        ("time", ["0", "40", "80"], "t=time [us]"),
+        ("time", ["0", "400", "800"], "t=time [us]"),
         ("second_time", ["0", "1000", "2000"], "t=second_time [us]"),
         (
             "time_since_s_curve",

@@ -1,0 +1,131 @@
+//! Columns that are called as a role is, beside others that may be meant.
+
+use passivity_scene::Scene;
+
+use super::{audited, audited_on, proposed, refused, rotary, scene};
+
+/// A log of so many rows, with what each column has in each of them.
+fn log(names: &str, rows: u32, row: impl Fn(u32) -> String) -> String {
+    let rows: String = (0..rows).map(|i| row(i) + "\n").collect();
+    format!("{names}\n{rows}")
+}
+
+/// What is proposed of a log, and where else something else is.
+fn ways(scene: &Scene, log: &str) -> (String, Vec<(String, String)>, String) {
+    let error = audited_on(scene, log, None).unwrap_err();
+    let proposal = error
+        .proposal
+        .unwrap_or_else(|| panic!("{log}: {}", error.message));
+    let ways = proposal.otherwise.into_iter();
+    let ways = ways.map(|way| (way.condition, way.columns)).collect();
+    (proposal.columns, ways, error.message)
+}
+
+#[test]
+fn a_count_that_numbers_the_rows_is_not_taken_for_the_encoder_s_beside_a_position() {
+    for (name, first, step, columns) in [
+        ("angle [deg]", 0, 1, "x=angle [deg]"),
+        ("angle_deg", 1, 1, "x=angle_deg"),
+        ("theta", 0, 1, "x=theta [rad]"),
+        ("pos [rad]", 5000, 1, "x=pos [rad]"),
+        ("position [rad]", 0, 10, "x=position [rad]"),
+        ("enc_angle [deg]", 0, 1, "x=enc_angle [deg]"),
+    ] {
+        for rows in [4, 40] {
+            let names = format!("count,{name}");
+            let log = log(&names, rows, |i| {
+                format!("{},{}.5", first + i * step, i % 3)
+            });
+            let (proposed, ways, message) = ways(&rotary(), &log);
+            // Of many rows it may also be the number of the sample.
+            let numbers = match (rows, step) {
+                (40, 1) => "tau=count, ",
+                _ => "",
+            };
+            assert_eq!(proposed, format!("{numbers}{columns}"));
+            let plain = ways.iter().find(|(_, columns)| columns == "count=count");
+            assert_eq!(plain.unwrap().0, "`count` is the position");
+            let says = "the column `count` goes on by the same step in each row";
+            assert!(message.contains(says), "{message}");
+            for columns in [columns, "count=count"] {
+                audited_on(&rotary(), &log, Some(columns)).unwrap();
+            }
+        }
+    }
+    // Counts of which both may be the encoder's.
+    for name in ["encoder", "enc_count", "position [counts]"] {
+        let log = log(&format!("t [s],count,{name}"), 9, |i| {
+            format!("0.00{i},{i},{}", i % 3)
+        });
+        let (proposed, ways, _) = ways(&scene(), &log);
+        assert_eq!(proposed, format!("t=t [s], count={name}"));
+        assert_eq!(ways.len(), 1);
+        assert_eq!(ways[0].1, "t=t [s], count=count");
+    }
+    // One that moves as an encoder does is one, and one alone is all that there is.
+    let moves = log("t [s],count,angle [deg]", 9, |i| {
+        format!("0.00{i},{},{}.5", i % 3, i % 3)
+    });
+    let audit = audited_on(&rotary(), &moves, None).unwrap();
+    assert_eq!(audit.report().not_read, ["angle [deg]"]);
+    let alone = log("count,f [N]", 9, |i| format!("{i},0"));
+    audited(&alone, None).unwrap();
+}
+
+#[test]
+fn a_force_that_is_commanded_is_not_passed_over_for_one_called_f() {
+    for name in ["force_cmd [N]", "motor_force [N]", "F applied [N]"] {
+        let log = log(&format!("t [s],count,f [N],{name}"), 4, |i| {
+            format!("0.00{i},{},0,1", i % 2)
+        });
+        let (proposed, ways, message) = ways(&scene(), &log);
+        assert_eq!(proposed, format!("t=t [s], count=count, f={name}"));
+        let plain = (
+            "`f [N]` is the force that was held".to_owned(),
+            "t=t [s], count=count, f=f [N]".to_owned(),
+        );
+        assert_eq!(ways, [plain]);
+        assert!(
+            message.contains("the column `f [N]` may be another force"),
+            "{message}"
+        );
+    }
+    // Others, and one that cannot be read, are no such.
+    for name in [
+        "force_sensor [N]",
+        "force_ref [N]",
+        "torque_cmd [N m]",
+        "cmd",
+        "f_err [N]",
+    ] {
+        let log = log(&format!("count,f [N],{name}"), 4, |i| {
+            format!("{},0,1", i % 2)
+        });
+        audited(&log, None).unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+}
+
+#[test]
+fn a_position_that_was_measured_is_not_passed_over_for_one_called_x() {
+    for name in ["position_measured [mm]", "x_meas [mm]", "x_actual [mm]"] {
+        let log = format!("t [s],x [mm],{name}\n0,0,0\n0.001,0,0.1\n");
+        assert_eq!(proposed(&log, None), format!("t=t [s], x={name}"));
+        let text = refused(&log, None).to_string();
+        assert!(
+            text.contains("or t=t [s], x=x [mm] where `x [mm]` is the position"),
+            "{text}"
+        );
+        audited(&log, Some("t=t [s], x=x [mm]")).unwrap();
+    }
+    // A wanted one, another like it, counts, and the clock in another unit.
+    for name in [
+        "x_ref [mm]",
+        "position [mm]",
+        "encoder",
+        "pos_des [mm]",
+        "timestamp_us",
+    ] {
+        let log = format!("t [s],x [mm],{name}\n0,0,0\n0.001,0.5,1\n0.002,0,5\n");
+        audited(&log, None).unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+}
