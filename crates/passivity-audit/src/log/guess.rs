@@ -24,6 +24,7 @@ use words::{COUNTED, OF_STEPS, words};
 mod clock;
 mod joints;
 mod kind;
+mod lengths;
 mod proposal;
 mod rising;
 mod rivals;
@@ -85,6 +86,8 @@ pub(crate) struct Unreadable {
     kind: Kind,
     /// Whether it is taken for a clock for nothing but its rise from row to row.
     pub(crate) rises: bool,
+    /// Whether it is called as a clock is and seems to be none, which says what is to be done about it.
+    pub(crate) is_no_clock: bool,
     /// Whether it seems to be a value at the motor, behind a transmission.
     pub(crate) is_at_motor: bool,
 }
@@ -141,18 +144,28 @@ pub(crate) fn unreadable(
             {
                 score += LIKELY;
             }
-            if kind == Kind::Time && is_counter(headings, preview, column) {
+            let is_time = kind == Kind::Time;
+            let has_lengths = is_time && lengths::has_lengths(heading, column, preview);
+            if has_lengths || is_time && is_counter(headings, preview, column) {
                 score = LIKELY;
+            } else if is_time && preview.still(column).is_some() {
+                // As of a clock that does not rise where it can be read.
+                let has_unit = own_unit(kind, heading, scene.motion).is_some();
+                score -= if has_unit { 1 } else { 3 };
             }
-            if is_none_of(kind, heading, column, preview) {
+            let are_periods = has_lengths && lengths::are_periods(heading, column, preview, scene);
+            if are_periods || is_none_of(kind, heading, column, preview) {
                 return None;
             }
             let why = held(kind, headings, column, preview, scene).err()?;
+            let no_clock = lengths::no_clock(headings, column, preview, scene);
+            let is_no_clock = is_time && no_clock.as_ref() == Some(&why);
             let unreadable = Unreadable {
                 column,
                 why,
                 kind,
                 rises: false,
+                is_no_clock,
                 is_at_motor: side::is_at_motor(kind, heading, scene),
             };
             (score >= LIKELY).then_some((score, unreadable))

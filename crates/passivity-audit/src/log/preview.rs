@@ -9,6 +9,8 @@ pub(crate) struct Preview {
     pub(crate) columns: Vec<Vec<Option<f64>>>,
     /// The text of the first field of each column that is no number, where the log is of text.
     pub(crate) texts: Vec<Option<String>>,
+    /// What stands between fields, where the log is of text with decimal points.
+    pub(crate) delimiter: Option<char>,
     /// Which group each column is of; all are of one where it is not said.
     pub(crate) groups: Vec<usize>,
     /// The columns of durations or times of day that rise from row to row.
@@ -29,10 +31,7 @@ impl Preview {
         let column = |column| rows.iter().map(|row| field(row, column)).collect();
         Self {
             columns: (0..width).map(column).collect(),
-            texts: Vec::new(),
-            groups: Vec::new(),
-            lasting: Vec::new(),
-            later: Vec::new(),
+            ..Self::default()
         }
     }
 
@@ -138,8 +137,21 @@ impl Preview {
             || self.later(column).any(|x| Some(Some(x)) != first)
     }
 
+    /// The numbers of a column.
+    pub(crate) fn numbers(&self, column: usize) -> Vec<f64> {
+        self.column(column).flatten().collect()
+    }
+
+    /// The first row after which a column stands still, where it runs backward nowhere.
+    pub(crate) fn still(&self, column: usize) -> Option<usize> {
+        let values = self.numbers(column);
+        let mut pairs = values.iter().zip(values.iter().skip(1));
+        let row = pairs.position(|(a, b)| a == b).map(|i| i + 1);
+        row.filter(|_| !self.runs_backward(column))
+    }
+
     pub(crate) fn increases(&self, column: usize) -> bool {
-        let values: Vec<f64> = self.column(column).flatten().collect();
+        let values = self.numbers(column);
         values.iter().zip(values.iter().skip(1)).all(|(a, b)| a < b)
     }
 
@@ -162,7 +174,7 @@ impl Preview {
 
     /// The step from row to row that is in the middle of all: rows may be missing, or close to each other.
     pub(crate) fn middle_step(&self, column: usize) -> Option<f64> {
-        let values: Vec<f64> = self.column(column).flatten().collect();
+        let values = self.numbers(column);
         let steps = values.iter().zip(values.iter().skip(1));
         let mut steps: Vec<f64> = steps.map(|(a, b)| b - a).collect();
         steps.sort_by(f64::total_cmp);
@@ -171,20 +183,20 @@ impl Preview {
 
     /// Whether a column goes on by the same step from row to row, of two at least.
     pub(crate) fn is_even(&self, column: usize) -> bool {
-        let values: Vec<f64> = self.column(column).flatten().collect();
+        let values = self.numbers(column);
         let second = |three: &[f64]| matches!(three, [a, b, c] if b - a == c - b);
         values.len() > 2 && values.windows(3).all(second)
     }
 
     /// Whether a value is less than the one before it.
     pub(crate) fn runs_backward(&self, column: usize) -> bool {
-        let values: Vec<f64> = self.column(column).flatten().collect();
+        let values = self.numbers(column);
         values.iter().zip(values.iter().skip(1)).any(|(a, b)| a > b)
     }
 
     /// The mean step from row to row.
     pub(crate) fn step(&self, column: usize) -> Option<f64> {
-        let values: Vec<f64> = self.column(column).flatten().collect();
+        let values = self.numbers(column);
         let (first, last) = (values.first()?, values.last()?);
         #[allow(clippy::cast_precision_loss)] // some twenty rows
         let steps = values.len().checked_sub(1).filter(|n| *n > 0)? as f64;

@@ -94,17 +94,21 @@ pub(crate) fn between(layout: &Layout, from: &Number, to: &Number) -> Result<Num
     })
 }
 
+/// What is wrong with a clock that stands still.
+pub(super) const TOO_COARSE: &str = "a clock that stands still between two rows is too coarse: log a finer one, such as `micros()` for `millis()`";
+
 /// What a clock that runs backward may have done: gone around, as `micros()` of an Arduino does, or started again.
-fn after_a_break(from: f64, to: f64) -> &'static str {
+fn after_a_break(from: f64, to: f64) -> String {
     const AROUND: f64 = 4_294_967_296.0;
     // Two minutes of microseconds: far more than a sampling period, and far less than the way around.
     const MOST: f64 = 1.2e8;
     let step = to + AROUND - from;
     let is_whole = from.fract() == 0.0 && to.fract() == 0.0;
-    match from > to && to >= 0.0 {
+    let says = match from > to && to >= 0.0 {
         _ if from == to => {
-            " (a clock that stands still between two rows is too coarse: log a finer one, such as `micros()` for `millis()`, or \
-             leave it out of `--columns`, where all rows are taken to be one sampling period apart)"
+            return format!(
+                " ({TOO_COARSE}, or leave it out of `--columns`, where all rows are taken to be one sampling period apart)"
+            );
         }
         true if is_whole && from < AROUND && step < MOST => {
             " (a clock of 32 bits goes on from 4294967295 at 0: add 4294967296 to its times from this row on)"
@@ -113,7 +117,8 @@ fn after_a_break(from: f64, to: f64) -> &'static str {
             " (if the recording starts again here, make what follows a log of its own)"
         }
         _ => "",
-    }
+    };
+    says.to_owned()
 }
 
 /// Refuses a step of counts that no device makes.

@@ -168,6 +168,7 @@ pub(crate) fn preview(lines: &[&[u8]], headings: &[Heading], notation: Notation)
     Preview {
         texts: columns.clone().map(text).collect(),
         lasting: columns.filter(|column| lasting.rises(*column)).collect(),
+        delimiter: (!notation.decimal_comma).then_some(char::from(notation.delimiter)),
         ..rows
     }
 }

@@ -10,7 +10,7 @@ use crate::log::header::{Heading, split};
 use crate::log::preview::Preview;
 
 /// Units of clocks, how many of each are in a second, and the words that say them.
-const UNITS: [(&str, f64, &[&str]); 4] = [
+pub(super) const UNITS: [(&str, f64, &[&str]); 4] = [
     ("s", 1.0, &["s", "sec", "second"]),
     (
         "ms",
@@ -101,11 +101,15 @@ fn within_reach(step: Option<f64>, scene: &Scene) -> [Option<&'static str>; 2] {
     }
 }
 
+/// The sampling period in seconds; `None` of a scene without units.
+pub(super) fn period(scene: &Scene) -> Option<f64> {
+    let period = scene.given.map(|_, given| given.nominal.clone()).period;
+    Some(passivity_scene::number::nearest_f64(&period.to_rational()?))
+}
+
 /// How many sampling periods a step is in each unit, the longest unit first.
 fn in_periods(step: Option<f64>, scene: &Scene) -> Option<[(&'static str, f64); 4]> {
-    let period = scene.given.map(|_, given| given.nominal.clone()).period;
-    let period = passivity_scene::number::nearest_f64(&period.to_rational()?);
-    let step = step?;
+    let (period, step) = (period(scene)?, step?);
     Some(UNITS.map(|(name, per_second, _)| (name, step / per_second / period)))
 }
 

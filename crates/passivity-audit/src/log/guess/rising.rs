@@ -118,6 +118,7 @@ fn rising(
             why,
             kind: Kind::Time,
             rises: true,
+            is_no_clock: false,
             is_at_motor: false,
         })?;
         Ok(Found {

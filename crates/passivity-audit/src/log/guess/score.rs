@@ -10,7 +10,7 @@ use super::words::{
     COMMANDED, COMMANDER, FORCE_PAIRS, HELD, MEASURED, NO_FORCE, NO_POSITION, NO_TIME,
     NOT_MEASURED, PERHAPS_WANTED, words,
 };
-use super::{LIKELY, has_force, is_counted, is_none_of, side, units, whole};
+use super::{LIKELY, has_force, is_counted, is_none_of, lengths, side, units, whole};
 use crate::log::error::shown;
 use crate::log::header::{Heading, is_unit_of_force, read_unit, read_unit_of_force, split};
 use crate::log::preview::Preview;
@@ -107,6 +107,11 @@ pub(super) fn held(
         return Err(why);
     }
     if let Some(why) = preview.without_number(column) {
+        return Err(why);
+    }
+    if kind == Kind::Time
+        && let Some(why) = lengths::no_clock(headings, column, preview, scene)
+    {
         return Err(why);
     }
     match (own_unit(kind, heading, scene.motion).as_deref(), kind) {

@@ -79,6 +79,14 @@ pub(super) fn not_read(
                 let either = either.map_or_else(String::new, |ways| format!(": {ways}"));
                 return format!("the column {} cannot be read: {}{either}", name(unreadable.column), unreadable.why);
             }
+            _ if unreadable.is_no_clock => {
+                return format!(
+                    "the column {} cannot be read as a clock: {}; if `--columns` leaves it out, all rows are taken to be one \
+                     sampling period apart",
+                    name(unreadable.column),
+                    unreadable.why
+                );
+            }
             _ if !unreadable.is_clock() => "name the others to leave it out",
             Motion::Dimensionless => {
                 "write its times in sampling periods, as in `tau`; if `--columns` leaves it out, all rows are taken to be \

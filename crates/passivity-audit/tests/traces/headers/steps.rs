@@ -65,3 +65,81 @@ fn a_clock_that_may_tick_in_two_units_is_proposed_in_both() {
         assert_eq!(refused(&log, None).proposal.unwrap().otherwise, []);
     }
 }
+
+#[test]
+fn lengths_of_intervals_are_not_passed_over_for_rows_one_period_apart() {
+    for (name, unit) in [
+        ("dt [us]", "us"),
+        ("dt_us", "us"),
+        ("dt (us)", "us"),
+        ("loop_us", "us"),
+        ("interval_us", "us"),
+        ("period [us]", "us"),
+        ("Δt", "UNIT"),
+        ("∆t [us]", "us"),
+        ("dt", "UNIT"),
+        ("delta_t [us]", "us"),
+        ("looptime_us", "us"),
+        ("step_time_us", "us"),
+        ("cycle time [usec]", "us"),
+    ] {
+        for length in ["5000", "1003"] {
+            let rows: String = (0..12)
+                .map(|i| format!("{},{length}\n", i % 2 * 60))
+                .collect();
+            let log = format!("count,{name}\n{rows}");
+            let error = refused(&log, None);
+            assert_eq!(error.proposal, None, "{error}");
+            let text = error.to_string();
+            for says in [
+                &format!(
+                    "the column `{name}` cannot be read as a clock: it seems to have the lengths"
+                ),
+                "all rows are taken to be one sampling period apart",
+                &format!(
+                    "`awk -F',' -v OFS=',' 'NR == 1 {{print \"t_{unit}\", $0; next}} {{t += $2; print sprintf(\"%.9f\", t), $0}}' \
+                     log.csv > timed.csv` where each is the time since the row before"
+                ),
+            ] {
+                assert!(text.contains(says), "{name}: {text}");
+            }
+            audited(&log, Some("count=count")).unwrap();
+        }
+        // Where all are one period, and beside a clock, they say nothing more.
+        for log in [
+            format!("count,{name}\n0,1000\n1,1000\n0,1000\n"),
+            format!("t [ms],count,{name}\n0,0,5000\n5,1,5000\n10,0,5000\n"),
+        ] {
+            audited(&log, None).unwrap_or_else(|error| panic!("{name}: {error}"));
+        }
+    }
+    // As `awk` makes it.
+    let timed = "t_us,count,dt [us]\n5000.000000000,0,5000\n10000.000000000,60,5000\n";
+    let report = audited(timed, None).unwrap().to_json();
+    let expected = audited("t [ms],count,dt [us]\n5,0,5000\n10,60,5000\n", None).unwrap();
+    assert_eq!(report, expected.to_json());
+}
+
+#[test]
+fn no_clock_is_proposed_that_stands_still_between_the_first_rows() {
+    for name in ["millis", "time", "timestamp [ms]"] {
+        let log = format!("{name},pos,F\n0,0.5,0\n0,1,0\n1,0.5,0\n2,0.7,0\n");
+        let error = refused(&log, None);
+        assert_eq!(error.proposal, None, "{error}");
+        let text = error.to_string();
+        let says = format!(
+            "the column `{name}` cannot be read as a clock: rows 1 and 2 have the same time: a clock that stands still between \
+             two rows is too coarse"
+        );
+        assert!(text.contains(&says), "{text}");
+        // A finer one is proposed in its place.
+        let finer = log
+            .replace(name, &format!("{name},micros"))
+            .replace("\n0,0.5", "\n0,0,0.5");
+        let finer = finer
+            .replace("\n0,1", "\n0,500,1")
+            .replace("\n1,", "\n1,1000,");
+        let finer = finer.replace("\n2,", "\n2,2000,");
+        assert_eq!(proposed(&finer, None), "t=micros [us], x=pos [m], f=F [N]");
+    }
+}
