@@ -233,10 +233,15 @@ fn nominal(scene: &Scene) -> Loop<Exact> {
     scene.given.map(|_, given| given.nominal.clone())
 }
 
-/// A revolution in ticks.
-pub(crate) fn revolution(scene: &Scene) -> Option<f64> {
-    let turn = (Exact::integer(2) * pi::pi()).over(nominal(scene).length());
-    Some(near(&turn.enclosure(64)?.middle()))
+/// A revolution of the device, where it is rotary, and one of the motor behind its transmission, in ticks.
+pub(crate) fn revolutions(scene: &Scene) -> [Option<f64>; 2] {
+    let of = |radians_per_unit: Exact| {
+        let turn = (Exact::integer(2) * pi::pi()).over(radians_per_unit * nominal(scene).length());
+        Some(near(&turn.enclosure(64)?.middle()))
+    };
+    let device = (scene.motion == Motion::Rotary).then(Exact::one);
+    let motor = scene.transmission.as_ref().map(|it| it.ratio.clone());
+    [device, motor].map(|ratio| ratio.and_then(of))
 }
 
 pub(crate) fn time_scale(text: Option<&str>, scene: &Scene) -> Result<Number, TraceError> {

@@ -10,21 +10,22 @@
 //! - |d| is W but for what the device moved meanwhile, which is about as fast as beside it: at most 2 Σ|s|/Δτₛ·Δτ, twice the
 //!   sum for what it was accelerated, and 2 ticks, one for what each of two counts leaves open. By the first condition that
 //!   is at most |d|/8 and 2, so that no |d| is near two powers of two;
-//! - W is 2¹⁰ … 2³² ticks, as of counters of so many bits, or one revolution. Angles may be written with few digits, such
-//!   as two decimals of a radian: of a revolution of theirs 1/512 is left open, more than the 0.01/2π of two of them.
+//! - W is 2¹⁰ … 2³² ticks, as of counters of so many bits, or one revolution, of the device or of the motor behind a
+//!   transmission. Angles may be written with few digits, such as two decimals of a radian: of a revolution of theirs 1/512
+//!   is left open, more than the 0.01/2π of two of them.
 //!
 //! An interval beside it that jumps back by more than W/2 is taken less W: a device that rests where its counter wraps
 //! around jumps to and fro. At the start and the end of a log one interval beside it is enough.
 
 use multiversion::multiversion;
-use passivity_scene::{Motion, Scene};
+use passivity_scene::Scene;
 use serde::{Deserialize, Serialize};
 
 use crate::log::chunk::{Chunk, Samples};
 use crate::log::findings::{Finding, position};
 use crate::log::layout::{Form, Layout};
 use crate::log::running::near_number;
-use crate::log::scale::revolution;
+use crate::log::scale::revolutions;
 use crate::number::Number;
 
 /// How many times as fast a jump is as the motion beside it, at the least.
@@ -49,8 +50,8 @@ pub(crate) const HISTORY: usize = 3;
 /// The periods by which the positions of a log may jump, in ticks.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Periods {
-    /// A revolution, and what is left open of it.
-    turn: Option<(f64, f64)>,
+    /// A revolution of the device and one of the motor, and what is left open of each.
+    turns: [Option<(f64, f64)>; 2],
     /// Whether there are ticks, of which a counter may have so many bits.
     counts: bool,
 }
@@ -63,11 +64,10 @@ impl Periods {
             (Form::X, true) => |turn: f64| (turn * ROUNDED).max(OPEN),
             _ => |_| OPEN,
         };
-        let turn = revolution(scene).filter(|turn| !counts || *turn >= LEAST_COUNTS);
+        let is_told = |turn: &f64| !counts || *turn >= LEAST_COUNTS;
+        let turns = revolutions(scene).map(|turn| turn.filter(is_told));
         Self {
-            turn: turn
-                .filter(|_| scene.motion == Motion::Rotary)
-                .map(|turn| (turn, open(turn))),
+            turns: turns.map(|turn| turn.map(|turn| (turn, open(turn)))),
             counts,
         }
     }
@@ -78,16 +78,16 @@ impl Periods {
         let bits = size.log2().round();
         let counter = ((least..=most).contains(&bits) && self.counts).then(|| (bits.exp2(), OPEN));
         let off = |(period, _): &(f64, f64)| (size - period).abs();
-        let both = self.turn.into_iter().chain(counter);
-        both.min_by(|a, b| off(a).total_cmp(&off(b)))
+        let all = self.turns.into_iter().flatten().chain(counter);
+        all.min_by(|a, b| off(a).total_cmp(&off(b)))
     }
 
     /// Half of the shortest: no jump by less is one by a period. A power of two; `None` without any.
     fn least(&self) -> Option<f64> {
         let [least, _] = BITS;
         let counter = self.counts.then(|| least.exp2());
-        let turn = self.turn.map(|(turn, _)| turn);
-        let shortest = counter.into_iter().chain(turn).min_by(f64::total_cmp)?;
+        let turns = self.turns.iter().flatten().map(|(turn, _)| *turn);
+        let shortest = counter.into_iter().chain(turns).min_by(f64::total_cmp)?;
         Some((shortest / 2.0).log2().floor().exp2())
     }
 }
@@ -362,11 +362,17 @@ impl Wrapped {
         let first = self.first?;
         let what = position(layout.form);
         let [from, to, period] = [first.from, first.to, first.period].map(f64::from_bits);
-        let is_turn = |(turn, _): (f64, f64)| turn.to_bits() == first.period;
-        let by = match periods.turn.is_some_and(is_turn) {
-            true if layout.form == Form::X => "one revolution".to_owned(),
-            true => format!("one revolution ({period} ticks)"),
-            false => format!("{period} ticks ({} bits)", period.log2()),
+        let is_it = |turn: &Option<(f64, f64)>| {
+            turn.is_some_and(|(turn, _)| turn.to_bits() == first.period)
+        };
+        let turn = ["one revolution", "one revolution of the motor"]
+            .into_iter()
+            .zip(&periods.turns)
+            .find(|(_, turn)| is_it(turn));
+        let by = match turn {
+            Some((turn, _)) if layout.form == Form::X => turn.to_owned(),
+            Some((turn, _)) => format!("{turn} ({period} ticks)"),
+            None => format!("{period} ticks ({} bits)", period.log2()),
         };
         let more = match self.count {
             0 | 1 => String::new(),

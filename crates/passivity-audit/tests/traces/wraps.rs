@@ -9,6 +9,14 @@ const PLAIN: &str = "[dimensionless]\nbeta = \"60\"\nsigma = \"60\"\n";
 const ROTARY: &str = "[device]\nviscous = \"9e-6 N m s/rad\"\ncoulomb = \"2e-3 N m\"\n[sampling]\nperiod = \"1 ms\"\n\
                       [encoder]\ncounts_per_revolution = 8000\n[wall]\nstiffness = \"1 N m/rad\"\n";
 
+/// With a motor that turns ten times as far, and one whose pulley of 5 mm moves a carriage.
+const GEARED: &str = "[device]\nviscous = \"9e-6 N m s/rad\"\ncoulomb = \"2e-3 N m\"\n[transmission]\nratio = \"10\"\n\
+                      [sampling]\nperiod = \"1 ms\"\n[encoder]\ncounts_per_revolution = 4000\nside = \"motor\"\n\
+                      [wall]\nstiffness = \"1 N m/rad\"\n";
+const PULLED: &str = "[device]\nviscous = \"0.9 N s/m\"\ncoulomb = \"2 N\"\n[transmission]\nmotor_pulley = \"5 mm\"\n\
+                      [sampling]\nperiod = \"1 ms\"\n[encoder]\ncounts_per_revolution = 4000\nside = \"motor\"\n\
+                      [wall]\nstiffness = \"1 N/mm\"\n";
+
 /// The verdict on a log, cut into blocks of this many bytes, and what is found of a wrap.
 fn found(text: &str, scene: &str, block: usize) -> (Verdict, Option<Finding>) {
     let scene = Scene::from_toml("s", scene).unwrap();
@@ -130,6 +138,41 @@ fn a_counter_that_wraps_around_is_found_at_its_row() {
             around(std::f64::consts::TAU, -std::f64::consts::PI, 3.1, 0.01),
             5,
             "one revolution",
+        ),
+        (
+            "count",
+            GEARED,
+            around(4000.0, 0.0, 3990.0, 3.0),
+            4,
+            "one revolution of the motor (4000 ticks)",
+        ),
+        (
+            "x [deg]",
+            GEARED,
+            around(36.0, 0.0, 35.5, 0.05),
+            10,
+            "one revolution of the motor,",
+        ),
+        (
+            "count",
+            GEARED,
+            around(40000.0, 0.0, 39990.0, 3.0),
+            4,
+            "one revolution (40000 ticks)",
+        ),
+        (
+            "count",
+            PULLED,
+            around(4000.0, -2000.0, 1990.0, 3.0),
+            4,
+            "one revolution of the motor (4000 ticks)",
+        ),
+        (
+            "x [mm]",
+            PULLED,
+            around(31.41593, 0.0, 31.3, 0.02),
+            6,
+            "one revolution of the motor,",
         ),
     ] {
         let text = column(name, numbers);
