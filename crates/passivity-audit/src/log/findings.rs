@@ -12,7 +12,7 @@ use crate::log::comparison::LAGS;
 use crate::log::layout::{Form, Layout};
 use crate::log::report::{Agreement, Fitted, Supplied};
 use crate::log::text::energy_unit;
-use crate::log::timing::SHORT;
+use crate::log::timing::{GAP, SHORT, Timing};
 use crate::shell::shell_word;
 
 /// Of forces that are no multiple of the law's, a scale that is nearer to one than this is no finding.
@@ -47,7 +47,7 @@ impl Finding {
     /// of the law.
     pub(crate) fn leaves_open(&self, applied: bool) -> bool {
         match self.kind {
-            "wrap" | "fast_clock" | "velocity_scale" => true,
+            "wrap" | "fast_clock" | "undersampled" | "velocity_scale" => true,
             "missed_force" | "old_force" | "stored_energy" => applied,
             "oversampled" => !applied,
             _ => false,
@@ -353,16 +353,33 @@ pub(crate) fn of_stored(supply: &Supplied, form: Form, scene: &Scene) -> Finding
     }
 }
 
-/// What stands out in times of which so many of all intervals are as short as [`SHORT`] says.
-pub(crate) fn of_clock(short: [u64; 2], intervals: u64) -> Option<Finding> {
-    // One interval alone may be a motion that ended within it. A recorder that pauses makes a few long ones.
-    let is_usual = |count: u64| intervals > 1 && 10 * count >= 9 * intervals;
-    let mut counted = short.into_iter().zip(SHORT).enumerate();
+/// What stands out in times: that intervals are mostly as short as [`SHORT`] says, or that samples are missing in half of
+/// them.
+pub(crate) fn of_clock(timing: &Timing, intervals: u64) -> Option<Finding> {
+    // One interval alone may be a motion that ended within it.
+    if intervals < 2 {
+        return None;
+    }
+    let unit = "check the unit of the times, and the sampling period of the scene";
+    let gaps = timing.gaps;
+    if 2 * gaps >= intervals {
+        let (n, d) = GAP;
+        return Some(Finding {
+            kind: "undersampled",
+            says: format!(
+                "{gaps} of {intervals} intervals between rows are at least {n}/{d} of a sampling period: if samples between them were \
+                 left out, their forces are not accounted for, nor how the device moved"
+            ),
+            fix: format!("log every sample; or {unit}"),
+        });
+    }
+    // A recorder that pauses makes a few long ones.
+    let is_usual = |count: u64| 10 * count >= 9 * intervals;
+    let mut counted = timing.short.into_iter().zip(SHORT).enumerate();
     let (at, (count, (n, d))) = counted.find(|(_, (count, _))| is_usual(*count))?;
     let says = format!(
         "{count} of {intervals} intervals between rows are at most {n}/{d} of a sampling period"
     );
-    let unit = "check the unit of the times, and the sampling period of the scene";
     Some(match at {
         0 => Finding {
             kind: "fast_clock",

@@ -86,7 +86,7 @@ impl Audit {
         let compared = findings.velocities.as_ref().zip(moved.as_ref());
         let moving = compared.and_then(|(of, moved)| of.finding(moved, task.layout.form));
         let found = task.layout.beside.finding.clone().into_iter().chain(forced);
-        let clock = of_clock(account.timing.short, account.intervals);
+        let clock = of_clock(&account.timing, account.intervals);
         // The energy of its spring is counted from there.
         let must = ", so that it is 0 where the wall begins";
         let wrapped = findings.wrapped.finding(task.layout, &task.periods, must);

@@ -239,6 +239,7 @@ struct SavedTiming {
     uneven: u64,
     late: u64,
     missed: u64,
+    gaps: u64,
     first_missed: Option<u64>,
     range: Option<[Ratio; 2]>,
     short: [u64; 2],
@@ -296,6 +297,7 @@ impl SavedAccount {
                 uneven: x.timing.uneven,
                 late: x.timing.late,
                 missed: x.timing.missed,
+                gaps: x.timing.gaps,
                 first_missed: x.timing.first_missed,
                 range: x
                     .timing
@@ -323,7 +325,7 @@ impl SavedAccount {
             .flatten()
             .chain(self.worst.iter().map(|(_, place)| place));
         counted(
-            [self.intervals, timing.uneven, timing.late]
+            [self.intervals, timing.uneven, timing.late, timing.gaps]
                 .into_iter()
                 .chain(timing.first_missed)
                 .chain(timing.short)
@@ -381,6 +383,7 @@ impl SavedAccount {
                 uneven: self.timing.uneven,
                 late: self.timing.late,
                 missed: self.timing.missed,
+                gaps: self.timing.gaps,
                 first_missed: self.timing.first_missed,
                 range,
                 short: self.timing.short,

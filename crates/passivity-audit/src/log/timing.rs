@@ -16,6 +16,8 @@ pub(crate) struct Timing {
     pub(crate) late: u64,
     /// Samples that are missing: whole periods beyond the first, to the nearest.
     pub(crate) missed: u64,
+    /// Intervals in which a sample is missing.
+    pub(crate) gaps: u64,
     pub(crate) first_missed: Option<u64>,
     /// The shortest and the longest.
     pub(crate) range: Option<[Number; 2]>,
@@ -30,6 +32,9 @@ pub(crate) struct Timing {
 ///   would take more than three. Several rows of a sample are at most half a period apart on average, and may jitter.
 pub(crate) const SHORT: [(i64, i64); 2] = [(1, 32), (3, 4)];
 
+/// How long, in periods, an interval is at the least in which a sample is missing.
+pub(crate) const GAP: (i64, i64) = (3, 2);
+
 /// The largest numerators of lengths over a denominator that are as short as [`SHORT`] says.
 #[inline(always)]
 const fn most_short(one: i64) -> [i64; 2] {
@@ -42,8 +47,8 @@ impl Timing {
     /// Counts the interval `h`.
     pub(crate) fn add(&mut self, dtau: &Number, h: u64) {
         const ONE: Number = Number::whole(1);
-        /// From here on, a sample is missing.
-        const MISSING: Number = Number::Small(3, 2);
+        /// A sample is missing from here on.
+        const MISSING: Number = Number::Small(GAP.0, GAP.1);
         // The denominator is above zero.
         let is_one = matches!(dtau, Number::Small(n, d) if n == d);
         if !is_one {
@@ -54,6 +59,7 @@ impl Timing {
             if !is_less(dtau, &MISSING) {
                 let missed = nearest(&difference(dtau, &ONE));
                 self.missed = self.missed.saturating_add(missed);
+                self.gaps += 1;
                 self.first_missed.get_or_insert(h);
             }
             for (count, (n, d)) in self.short.iter_mut().zip(SHORT) {
@@ -84,7 +90,7 @@ impl Timing {
             }
             ([shortest, longest], counts)
         });
-        if i128::from(longest.0) * 2 >= i128::from(longest.1) * 3 {
+        if i128::from(longest.0) * i128::from(GAP.1) >= i128::from(longest.1) * i128::from(GAP.0) {
             // A sample is missing.
             for (Length(n, d), h) in lengths.iter().zip(h..) {
                 self.add(&Number::Small(*n, *d), h);
@@ -118,6 +124,7 @@ impl Timing {
         self.late += other.late;
         add_to(&mut self.short, other.short);
         self.missed = self.missed.saturating_add(other.missed);
+        self.gaps += other.gaps;
         let mut first = First(self.first_missed);
         first.append(First(other.first_missed), before);
         self.first_missed = first.0;
@@ -201,7 +208,7 @@ mod tests {
                 one.add(&Number::Small(*n, *d), h);
             }
             all.add_all(&lengths, h.into());
-            prop_assert_eq!((one.uneven, one.late, one.missed, one.short), (all.uneven, all.late, all.missed, all.short));
+            prop_assert_eq!((one.uneven, one.late, one.missed, one.gaps, one.short), (all.uneven, all.late, all.missed, all.gaps, all.short));
             prop_assert_eq!((one.first_missed, one.range), (all.first_missed, all.range));
         }
     }

@@ -275,22 +275,27 @@ fn a_wrap_is_found_once_wherever_a_log_is_cut() {
 #[test]
 fn a_clock_that_is_too_fast_is_found_wherever_a_log_is_cut() {
     let scene = &scenes()[3];
-    // Seconds, with a pause, that are read as milliseconds.
-    let row = |i: u32| {
-        format!(
-            "{},{}\n",
-            f64::from(i / 31 * 2000 + i) / 1000.0,
-            i % 31 % 2 * 10
-        )
+    let log = |kind: &str, time: &dyn Fn(u32) -> f64| {
+        let row = |i: u32| format!("{},{}\n", time(i), i % 31 % 2 * 10);
+        let text: String = (0..62).map(row).collect();
+        let log = Scratch::new("csv", format!("t [ms],count\n{text}").as_bytes());
+        let whole = audit(&log, scene, Options::default()).unwrap();
+        assert_eq!(whole.report().findings[0].kind, kind);
+        assert_ne!(whole.verdict(), passivity_audit::Verdict::Holds);
+        (log, whole)
     };
-    let text: String = (0..62).map(row).collect();
-    let log = Scratch::new("csv", format!("t [ms],count\n{text}").as_bytes());
-    let whole = audit(&log, scene, Options::default()).unwrap();
-    assert_eq!(whole.report().findings[0].kind, "fast_clock");
-    assert_eq!(whole.verdict(), passivity_audit::Verdict::Depends);
-    for cut in [1, 30, 31, 32, 61] {
+    // Seconds, with a pause, that are read as milliseconds; and every second row of a log.
+    let too_fast = |i: u32| f64::from(i / 31 * 2000 + i) / 1000.0;
+    let logs = [
+        log("fast_clock", &too_fast),
+        log("undersampled", &|i| f64::from(2 * i)),
+    ];
+    for ((log, whole), cut) in logs
+        .iter()
+        .flat_map(|log| [1, 30, 31, 32, 61].map(|cut| (log, cut)))
+    {
         let parts = stretches(&[cut, cut + 9]).into_iter();
-        let parts = parts.map(|stretch| part(&log, scene, stretch, false));
+        let parts = parts.map(|stretch| part(log, scene, stretch, false));
         let mut parts = parts.collect::<Result<Vec<_>, _>>().unwrap();
         let merged = merge_parts(&parts, scene).unwrap();
         assert_eq!(merged.to_json(), whole.to_json(), "{cut}");

@@ -203,13 +203,16 @@ fn the_laws_account_beside_another_is_that_of_itself() {
     }
 }
 
+/// What is found of a clock.
+const OF_CLOCK: [&str; 3] = ["fast_clock", "oversampled", "undersampled"];
+
 /// A clock that is a thousand times too fast makes friction a thousand times too much: what would hold is left open.
 #[test]
 fn a_clock_that_is_too_fast_leaves_open_what_would_hold() {
     let said = |csv: &str| {
         let audit = audited(csv.as_bytes(), &three_fifths(), 1, 0).0;
         let kinds = audit.report().findings.iter().map(|finding| finding.kind);
-        let clock = kinds.filter(|kind| ["fast_clock", "oversampled"].contains(kind));
+        let clock = kinds.filter(|kind| OF_CLOCK.contains(kind));
         (audit.verdict(), clock.collect::<Vec<_>>())
     };
     let log = |step: &str, force: &str| {
@@ -226,6 +229,12 @@ fn a_clock_that_is_too_fast_leaves_open_what_would_hold() {
     // Several rows of a sample: the law would command a force for each, and those in a log are what they are.
     assert_eq!(log("e-1", ""), (Verdict::Depends, vec!["oversampled"]));
     assert_eq!(log("e-1", ",1/8"), (Verdict::Holds, vec!["oversampled"]));
+    // Forces of samples that were left out are not in the log, and a row alone may be late.
+    assert_eq!(
+        said("tau,xi,f\n0,0,1/8\n2,0,1/8\n4,0,1/8\n"),
+        (Verdict::Depends, vec!["undersampled"])
+    );
+    assert_eq!(said("tau,xi\n0,0\n2,0\n"), (Verdict::Holds, Vec::new()));
     // A gap is no finding of this kind, and what fails, though friction takes 600, does so by any clock.
     assert_eq!(
         said("tau,xi\n0,0\n0.001,0\n1,1\n"),
@@ -258,7 +267,9 @@ fn a_clock_that_is_too_fast_is_found_beside_pauses() {
     let ninth = |step: f64| move |i: usize| if i % 9 == 5 { 7.0 } else { step };
     let jitter = |step: f64| move |i: usize| step * [1.0, 1.1, 2.2, 0.9, 1.0][i % 5];
     type Steps<'a> = &'a dyn Fn(usize) -> f64;
-    let cases: [(Steps<'_>, Option<(&str, &str)>); 10] = [
+    let second = |i: usize| 1.0 + (i % 2) as f64;
+    let third = |i: usize| if i % 3 == 1 { 2.0 } else { 1.0 };
+    let cases: [(Steps<'_>, Option<(&str, &str)>); 14] = [
         (
             &even(0.001),
             Some((
@@ -281,13 +292,24 @@ fn a_clock_that_is_too_fast_is_found_beside_pauses() {
         (&ninth(0.5), None),
         (&even(0.76), None),
         (&jitter(0.8), None),
+        // Every second row of a log, or of some of it; and a controller that is late, but misses no sample.
+        (
+            &even(2.0),
+            Some((
+                "undersampled",
+                "400 of 400 intervals between rows are at least 3/2 of",
+            )),
+        ),
+        (&second, Some(("undersampled", "200 of 400"))),
+        (&third, None),
+        (&even(1.4), None),
     ];
     for (column, written) in ways {
         for (case, (step, expected)) in cases.iter().enumerate() {
             let csv = log(column, written, step);
             let whole = audited(csv.as_bytes(), &scene, 1, 0).0;
             let mut clock = whole.report().findings.iter();
-            let clock = clock.find(|it| ["fast_clock", "oversampled"].contains(&it.kind));
+            let clock = clock.find(|it| OF_CLOCK.contains(&it.kind));
             let found = clock.map(|finding| (finding.kind, &finding.says[..]));
             let is_so = match (found, expected) {
                 (Some((kind, says)), Some((of, start))) => kind == *of && says.starts_with(start),
