@@ -47,7 +47,7 @@ impl Finding {
     /// of the law.
     pub(crate) fn leaves_open(&self, applied: bool) -> bool {
         match self.kind {
-            "wrap" | "fast_clock" | "undersampled" | "velocity_scale" => true,
+            "wrap" | "fast_clock" | "undersampled" | "velocity_scale" | "counted_positions" => true,
             "missed_force" | "old_force" | "stored_energy" => applied,
             "oversampled" => !applied,
             _ => false,

@@ -13,6 +13,7 @@ use crate::log::outcome::Audit;
 use crate::log::report::UnendedRow;
 use crate::log::step::undefined;
 use crate::log::task::Task;
+use crate::log::ticks::Steps;
 use crate::log::velocity::Velocities;
 use crate::log::wraps::Wrapped;
 use crate::number::Number;
@@ -31,6 +32,7 @@ pub(crate) struct Findings {
     pub(crate) comparison: Option<Comparison>,
     pub(crate) velocities: Option<Velocities>,
     pub(crate) wrapped: Wrapped,
+    pub(crate) steps: Steps,
     pub(crate) held: Held,
     pub(crate) head: Vec<Logged>,
     pub(crate) error: Option<TraceError>,
@@ -120,6 +122,7 @@ impl Findings {
             own.append(next);
         }
         self.wrapped.append(before, &next.wrapped);
+        self.steps.append(next.steps);
         self.error = next.error.map(|error| TraceError {
             row: error.row.map(|row| before + row),
             ..error

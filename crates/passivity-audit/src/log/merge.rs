@@ -14,6 +14,7 @@ use crate::log::report::UnendedRow;
 use crate::log::running::near_number;
 use crate::log::step::{between, check_jump, duration, gap, undefined};
 use crate::log::task::Task;
+use crate::log::ticks::Ticks;
 use crate::log::velocity::Velocities;
 use crate::log::wraps::Wraps;
 use crate::number::Number;
@@ -53,6 +54,7 @@ pub(crate) struct Merge<'a, 'w> {
     comparison: Option<Comparison>,
     velocities: Option<Velocities>,
     wraps: Option<Wraps>,
+    ticks: Option<Ticks>,
     held: Held,
     /// The first intervals, for the rows in the report.
     head: Vec<Logged>,
@@ -91,6 +93,7 @@ impl<'a, 'w> Merge<'a, 'w> {
             comparison: compared.then(|| Comparison::new(task.ledger)),
             velocities: moved.then(Velocities::default),
             wraps: Wraps::new(&task.periods).filter(|_| task.compares),
+            ticks: Ticks::new(task),
             held: Held::default(),
             head: Vec::new(),
             error: None,
@@ -120,6 +123,7 @@ impl<'a, 'w> Merge<'a, 'w> {
         self.comparison.iter_mut().for_each(Comparison::forget);
         self.velocities.iter_mut().for_each(Velocities::forget);
         self.wraps.iter_mut().for_each(Wraps::forget);
+        self.ticks.iter_mut().for_each(Ticks::forget);
         Ok(())
     }
 
@@ -142,6 +146,9 @@ impl<'a, 'w> Merge<'a, 'w> {
         }
         if let Some(wraps) = &mut self.wraps {
             wraps.feed(self.task.layout, chunk, rows);
+        }
+        if let Some(ticks) = &mut self.ticks {
+            ticks.feed(chunk, rows);
         }
         self.held.feed(chunk, rows);
         Ok(())
@@ -406,6 +413,7 @@ impl<'a, 'w> Merge<'a, 'w> {
                 .wraps
                 .map(|wraps| wraps.finish(self.task.layout, ends))
                 .unwrap_or_default(),
+            steps: self.ticks.map(|ticks| ticks.found).unwrap_or_default(),
             held: self.held,
             head: self.head,
             error: self.error,

@@ -54,6 +54,7 @@ mod supply;
 mod table;
 mod task;
 mod text;
+mod ticks;
 mod timing;
 #[cfg(feature = "parquet")]
 mod typed;

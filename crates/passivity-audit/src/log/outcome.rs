@@ -90,9 +90,10 @@ impl Audit {
         // The energy of its spring is counted from there.
         let must = ", so that it is 0 where the wall begins";
         let wrapped = findings.wrapped.finding(task.layout, &task.periods, must);
+        let counted = findings.steps.finding(task.layout);
         let force = task.layout.force.map(|column| task.layout.name(column));
         let held = findings.held.findings(&force.unwrap_or_default());
-        let found = found.chain(clock).chain(held).chain(moving).chain(wrapped);
+        let found = found.chain(clock).chain(held).chain(moving).chain(wrapped).chain(counted);
         let mut found: Vec<Finding> = found.collect();
         let is_its_law = !task.applied || agreement.as_ref().is_some_and(|a| a.agrees);
         let judged = match is_its_law && !task.ledger.has_memory() {

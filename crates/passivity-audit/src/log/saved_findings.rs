@@ -12,6 +12,7 @@ use crate::log::exact::ExactSum;
 use crate::log::found::{Findings, ROWS_IN_REPORT};
 use crate::log::held::Held;
 use crate::log::saved::{SavedAccount, SavedInterval, SavedReading, counted, wrong};
+use crate::log::ticks::Steps;
 use crate::log::velocity::Velocities;
 use crate::log::wraps::Wrapped;
 
@@ -92,6 +93,7 @@ pub(crate) struct SavedFindings {
     comparison: Option<SavedComparison>,
     velocities: Option<SavedVelocities>,
     wrapped: Wrapped,
+    steps: Steps,
     /// All intervals, of a short stretch.
     head: Vec<SavedInterval>,
     error: Option<SavedError>,
@@ -146,6 +148,7 @@ impl SavedFindings {
                 long: found.long.each_ref().map(ExactSum::to_text),
             }),
             wrapped: x.wrapped,
+            steps: x.steps,
             head,
             error: x.error.as_ref().map(|error| SavedError {
                 kind: error.kind.to_string(),
@@ -169,7 +172,7 @@ impl SavedFindings {
         });
         counted(
             compared
-                .chain([self.samples])
+                .chain([self.samples, self.steps.moves])
                 .chain(self.wrapped.counts())
                 .chain(self.velocities.iter().map(|found| found.compared))
                 .chain(self.error.iter().filter_map(|error| error.row)),
@@ -231,6 +234,7 @@ impl SavedFindings {
             comparison,
             velocities,
             wrapped: self.wrapped,
+            steps: self.steps,
             // A log of which pieces are accounted for leaves out none.
             held: Held::default(),
             head: head.collect::<Result<_, _>>()?,

@@ -53,7 +53,7 @@ pub(crate) struct Periods {
     /// A revolution of the device and one of the motor, and what is left open of each.
     turns: [Option<(f64, f64)>; 2],
     /// Whether there are ticks, of which a counter may have so many bits.
-    counts: bool,
+    pub(crate) counts: bool,
 }
 
 impl Periods {

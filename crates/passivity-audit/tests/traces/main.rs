@@ -12,4 +12,5 @@ mod parquet;
 mod partial;
 mod scratch;
 mod stored;
+mod ticks;
 mod wraps;
