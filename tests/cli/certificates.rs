@@ -48,6 +48,11 @@ fn the_second_implementation_confirms_violations_and_refuses_changed_figures() {
         assert_eq!(found.code, 0, "{scene}{trace}{}", found.stderr);
         let says = format!("The violation is real: the net energy of row {row} is ");
         assert!(found.stdout.starts_with(&says), "{}", found.stdout);
+        let stored = found
+            .stdout
+            .trim_end()
+            .ends_with(" KΔ², less what delay and damping stored.");
+        assert_eq!(stored, scene == late && trace != forced, "{}", found.stdout);
         refuses_changes(&dir);
     }
 }

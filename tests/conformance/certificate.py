@@ -154,7 +154,8 @@ def recomputed(certificate):
     generated = generated_between(loop, start, end, force)
     net = net_between(loop, tuple(zip(beta, sigma)), start, end, force, dtau)
     figures = {"generated": generated, "dissipated_lower": spent}
-    if memory:
+    # What delay and damping store pays for the force of the law, not for one that was applied.
+    if memory and "force" not in log:
         extra = figures["extra_storage"] = storage_gained(loop, samples)
         net = net[0] - extra[1], net[1] - extra[0]
     return {**figures, "net": net}
@@ -178,4 +179,5 @@ def check_certificate(text):
             raise Refused(f"{name} is {show(figure)}, and the certificate says {show(ends(stated[name]))}")
     if own["net"][1] >= 0:
         raise Refused(f"this row need not be violated: its net energy may be {own['net'][1]}")
-    return f"The violation is real: the net energy of row {certificate['log']['row']} is {show(own['net'])} KΔ²."
+    stored = ", less what delay and damping stored" if "extra_storage" in own else ""
+    return f"The violation is real: the net energy of row {certificate['log']['row']} is {show(own['net'])} KΔ²{stored}."

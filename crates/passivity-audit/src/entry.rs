@@ -53,7 +53,7 @@ pub struct Entry<S> {
     /// The same against the quantized spring.
     pub violates_quantized: Truth,
     /// What the storages of delay and damping gain over the interval (TH-DELAY, TH-DAMP); `None`
-    /// without these effects.
+    /// without these effects, and of a force that was applied: they pay for the loop's own force only.
     pub extra_storage: Option<Figure<S>>,
     /// The force that was held, in KΔ.
     pub held: Figure<S>,
@@ -124,7 +124,10 @@ pub fn entry<S: Written>(ends: &Ends<S>, interval: &Recorded<'_, S>) -> Option<E
         Some(force) => force.clone(),
         None => Figure::Exact(ends.held_force(interval.samples)),
     };
-    let extra_storage = stored(ends, interval)?;
+    let extra_storage = match interval.force {
+        Some(_) => None,
+        None => stored(ends, interval)?,
+    };
     let account = match (start, interval.end, &held, &extra_storage) {
         (
             Figure::Exact(from),

@@ -212,6 +212,18 @@ impl Report {
             let Some(figure) = figure else { continue };
             out.put(label, &format!("{} {}", shown(figure), self.energy_unit()));
         }
+        if self.is_less_stored() {
+            let text = "and less what delay and damping stored meanwhile, as in each deficit below";
+            out.put("", text);
+        }
+    }
+
+    /// Whether what the storages of delay and damping gain is taken off net energies: of the wall's own law they are part.
+    fn is_less_stored(&self) -> bool {
+        let has = |effect| self.effects.contains(&effect);
+        let is_stored = has(Effect::Delay) || has(Effect::Damping);
+        let is_of_spring = has(Effect::DampingFilter) || has(Effect::Controller);
+        self.account == Force::Law && is_stored && !is_of_spring && self.not_covered.is_empty()
     }
 
     fn intervals(&self, out: &mut Lines) {

@@ -70,3 +70,26 @@ fn a_force_that_is_later_than_is_tried_has_no_delay_proposed() {
     let found = findings(7, 1.0, 0.01);
     assert_eq!(found[0].fix, "in the scene, under [sampling]: delay = 7");
 }
+
+/// What delay and damping store pays for the force of the law, whose account it is part of, and not for one that was applied.
+#[test]
+fn a_force_that_was_applied_is_stored_nowhere() {
+    for effect in ["[sampling]\ndelay = 2\n", "[wall]\ndamping = \"2\"\n"] {
+        let loop_ = "[dimensionless]\nmu = \"50\"\nbeta = \"3/5\"\nsigma = \"3/5\"\n";
+        let scene = passivity_scene::Scene::from_toml("s", &format!("{loop_}{effect}")).unwrap();
+        let applied = audited("xi,f\n0,0.5\n1,-0.5\n", &scene);
+        let totals = serde_json::to_value(applied.totals()).unwrap();
+        // ½ + ½ of what friction takes, 3/5 + 3/5, was generated.
+        assert_eq!(totals["generated_linear"], "1", "{effect}");
+        assert_eq!(totals["dissipated_lower"], "6/5", "{effect}");
+        assert_eq!(totals["net_linear"], "1/5", "{effect}");
+        assert_eq!(applied.totals().violates_linear, Some(0), "{effect}");
+        assert!(applied.certificate().is_none(), "{effect}");
+        let stored = "less what delay and damping stored meanwhile";
+        assert!(!applied.to_text().contains(stored), "{effect}");
+        let of_law = audited("xi\n0\n5\n", &scene);
+        assert_eq!(of_law.totals().violates_linear, Some(1), "{effect}");
+        assert!(of_law.certificate().is_some(), "{effect}");
+        assert!(of_law.to_text().contains(stored), "{}", of_law.to_text());
+    }
+}
