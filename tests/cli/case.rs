@@ -1,5 +1,6 @@
 //! `passivity case`.
 
+mod assumed;
 mod checked;
 mod doubted;
 mod evidence;

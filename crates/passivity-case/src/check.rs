@@ -288,7 +288,7 @@ fn read_again(study: &mut Study, entry: &RecordedEntry, findings: &mut Findings)
     if !is_as_it_was {
         return;
     }
-    match Recorded::read(entry.given.clone(), &study.scene, &study.text, |_, _| {}) {
+    match Recorded::read(entry.given.clone(), study, |_, _| {}) {
         Ok(recorded) => study.recorded = Some(recorded),
         Err(error) => findings.changed.push(error.to_string()),
     }

@@ -86,6 +86,54 @@ fn forces_that_tell_nothing_of_the_wall_are_no_support() {
     }
 }
 
+/// Whatever the columns are: a device that never touches the wall, or that does not move, shows nothing of it.
+#[test]
+fn a_log_in_which_no_work_was_done_is_no_support() {
+    let dir = Dir::new();
+    let both_sides = "# Measured.\n[device]\nviscous = \"0.8 N s/m\"\ncoulomb = \"0.8e-3 N\"\n[sampling]\n\
+                      period = \"1 s\"\n[encoder]\nresolution = \"1 mm\"\n[wall]\nstiffness = \"1 N/m\"\n";
+    let one_side = format!("{both_sides}unilateral = true\n");
+    for (scene_text, log, why) in [
+        (
+            one_side.as_str(),
+            "count\n-50\n-52\n-50\n-47\n",
+            Some("did no work"),
+        ),
+        (&one_side, "count\n-50\n-50\n", Some("did no work")),
+        (&one_side, "x [mm]\n-3\n-2.5\n-4\n", Some("did no work")),
+        (
+            &one_side,
+            "count,f [N]\n-50,0\n-52,0\n-50,0\n",
+            Some("is zero in every row"),
+        ),
+        (both_sides, "count\n3\n3\n3\n", Some("did no work")),
+        (
+            both_sides,
+            "count,f [N]\n3,-0.0035\n3,-0.0035\n",
+            Some("did no work"),
+        ),
+        (both_sides, "x [mm]\n0.3\n0.3\n", Some("did no work")),
+        (&one_side, "count\n-5\n-1\n2\n1\n", None),
+        (both_sides, "count\n3\n2\n3\n", None),
+    ] {
+        let path = dir.write("scene.toml", scene_text);
+        let log = dir.write("run.csv", log);
+        let run = case(&dir, &path, &["--log", &log]);
+        let answer = scene(&run);
+        let evidence = &answer["recorded"]["logs"][0]["evidence"];
+        let because = evidence["because"].as_str();
+        assert_eq!(because.is_some(), why.is_some(), "{evidence}");
+        assert!(
+            because
+                .unwrap_or_default()
+                .contains(why.unwrap_or_default())
+        );
+        let standing = if why.is_some() { "open" } else { "shown" };
+        assert_eq!(answer["standing"], standing, "{evidence}");
+        assert_eq!(run.code, i32::from(why.is_some()));
+    }
+}
+
 /// Velocities of four times the motion: the scene may have four times as many counts as the device.
 #[test]
 fn a_velocity_to_another_scale_leaves_the_case_open() {

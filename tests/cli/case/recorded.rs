@@ -172,21 +172,6 @@ fn counts_that_leave_it_open_are_no_support() {
 }
 
 #[test]
-fn an_interval_that_is_late_or_fast_is_an_assumption_that_is_not_met() {
-    let dir = Dir::new();
-    let limited = "# Measured.\n[dimensionless]\nmu = \"50\"\nbeta = \"2/5\"\nsigma = \"3/5\"\n\
-                   [operator]\nmax_speed = \"1\"\n";
-    let path = dir.write("scene.toml", limited);
-    let log = dir.write("run.csv", "tau,xi\n0,0\n1,4\n3,4\n");
-    let run = case(&dir, &path, &["--log", &log]);
-    let objections = run.json()["objections"].to_string();
-    assert!(objections.contains("A-SPEED is not met"), "{objections}");
-    assert!(objections.contains("A-SAMPLING is not met"), "{objections}");
-    let html = read(&dir, "case/case.html");
-    assert!(html.contains("NOT met in the recording"));
-}
-
-#[test]
 fn a_changed_log_is_noticed_and_a_missing_one_is_said() {
     let dir = Dir::new();
     let (path, log) = (dir.write("scene.toml", SCENE), dir.write("run.csv", LAW));

@@ -1,15 +1,17 @@
 //! A log of the device in the scene, audited.
 
-use num_traits::ToPrimitive as _;
-use passivity_audit::{Dialect, Finding, Force, Options, Report, Verdict, audit};
-use passivity_core::{BigRational, Interval};
-use passivity_scene::check::enclosure;
+use num_traits::{ToPrimitive as _, Zero as _};
+use passivity_audit::{Dialect, Finding, Force, Observer, Options, Report, Verdict, audit};
+use passivity_core::{BigRational, Exact, Interval};
+use passivity_scene::check::{check, enclosure};
 use passivity_scene::display::{approx, range};
 use passivity_scene::{Motion, Scene};
 use serde_json::{Value, json};
 
+use super::speeds::Speeds;
 use super::{Observed, Outcome, Recording, Source};
 use crate::error::CaseError;
+use crate::study::Study;
 
 /// A log with its audit.
 #[derive(Clone, Debug)]
@@ -25,22 +27,30 @@ pub struct Log {
     pub duration: [BigRational; 2],
     /// Whether the log says so itself; if not, every interval counts as one period.
     pub is_timed: bool,
+    /// How many intervals are surely faster than the speed up to which the verdict is, where it is up to one.
+    pub faster: u64,
+    /// Whether the wall is passive at the same speeds with a sampling period as long as the longest interval.
+    pub may_be_late: bool,
 }
 
 impl Log {
     pub(super) fn read(
         number: usize,
         recording: &Recording,
-        scene: &Scene,
+        study: &Study,
         dialect: &Dialect,
     ) -> Result<Self, CaseError> {
+        let bound = study.report().speed_bound.as_ref();
+        let bound = bound.filter(|_| study.has_speed_limit());
+        let mut speeds = bound.map(|bound| Speeds::new(bound.hi().clone()));
         let (source, audit) = Source::bound(recording, |path| {
             let options = Options {
                 dialect: dialect.clone(),
                 without_rows: true,
+                rows: speeds.as_mut().map(|speeds| speeds as _),
                 ..Options::default()
             };
-            let found = audit(path, scene, options);
+            let found = audit(path, &study.scene, options);
             found.map_err(|error| CaseError::of_log(path, error))
         })?;
         if let Some(error) = audit.error() {
@@ -55,6 +65,11 @@ impl Log {
             duration: match timed {
                 Some(periods) => [periods.clone(), periods],
                 None => untimed(&report),
+            },
+            faster: speeds.map_or(0, |speeds| speeds.faster),
+            may_be_late: match &report.timing {
+                Some(timing) if timing.late > 0 => is_passive_with(&timing.longest, study),
+                _ => true,
             },
             report,
         })
@@ -166,15 +181,33 @@ impl Log {
         if !other.is_empty() {
             return Outcome::Contradicts(other.join("; "));
         }
-        match self.report.verdict {
-            Verdict::Holds => self.untold_force().map_or(Outcome::Supports, Outcome::Open),
-            _ => Outcome::Open(self.headline()),
+        if self.report.verdict != Verdict::Holds {
+            return Outcome::Open(self.headline());
+        }
+        let unmet = self.observed(scene).into_iter();
+        let unmet = unmet.filter(|seen| seen.is_met == Some(false));
+        let unmet = unmet.map(|seen| format!("the assumption {} is not met", seen.assumption));
+        let why: Vec<String> = self.untold().into_iter().chain(unmet).collect();
+        match why.is_empty() {
+            true => Outcome::Supports,
+            false => Outcome::Open(why.join("; ")),
         }
     }
 
-    /// Why forces do not show that the wall is the scene's: they are near its law and beyond their digits from it, or agree
-    /// with it to within digits that say nothing.
-    fn untold_force(&self) -> Option<String> {
+    /// Whether no work was done whatever the force is, as of a device that never touched the wall, or never moved.
+    fn is_without_work(&self) -> bool {
+        let is_zero = |of: &Observer| of.energy.is_zero() && of.least.is_zero();
+        let totals = &self.report.totals;
+        let generated = totals.generated_linear.as_ref();
+        // What came in may also have gone out again, to the last digit.
+        let has_generated = generated.is_none_or(|of| !of.lo().is_zero() || !of.hi().is_zero());
+        let has_moved = !totals.dissipated_lower.lo().is_zero();
+        self.report.observer.as_ref().is_some_and(is_zero) && !(has_generated && has_moved)
+    }
+
+    /// Why the log does not show that the wall is the scene's: there was no force, or no motion, or the forces are near its
+    /// law and beyond their digits from it, or agree with it to within digits that say nothing.
+    fn untold(&self) -> Option<String> {
         let mut findings = self.report.findings.iter();
         if let Some(near) = findings.find(|finding| finding.kind == "near_force") {
             return Some(near.says.clone());
@@ -186,17 +219,22 @@ impl Log {
                     .to_owned(),
             );
         }
-        let force = force.filter(|force| force.agrees || force.rough || force.zero)?;
-        match (force.fit, force.rough) {
-            (None, _) => Some(
+        let told = force.filter(|force| force.agrees || force.rough || force.zero);
+        match told.map(|force| (force.fit, force.rough)) {
+            Some((None, _)) => Some(
                 "the force, or that of the wall's law, is zero in every row: the log says nothing about \
                  the wall"
                     .to_owned(),
             ),
-            (Some(_), true) => Some(
+            Some((Some(_), true)) => Some(
                 "the force is written with too few digits to tell it from that of another wall".to_owned(),
             ),
-            (Some(_), false) => None,
+            _ if self.is_without_work() => Some(
+                "the force did no work: it is zero wherever the device moves, or the device does not move: the \
+                 log says nothing about the wall"
+                    .to_owned(),
+            ),
+            _ => None,
         }
     }
 
@@ -214,6 +252,14 @@ impl Log {
         let totals = &self.report.totals;
         let all_of = self.report.intervals;
         match (totals.criterion_fails, totals.criterion_depends) {
+            (0, _) if self.faster > 0 => see(
+                "A-SPEED",
+                false,
+                format!(
+                    "{} of {all_of} intervals are faster than `operator.max_speed`, up to which the verdict is",
+                    self.faster
+                ),
+            ),
             (0, 0) => see(
                 "A-SPEED",
                 true,
@@ -242,6 +288,14 @@ impl Log {
                          (the longest {longest} periods)"
                     ),
                 ),
+                (late, false) if self.may_be_late => see(
+                    "A-SAMPLING",
+                    true,
+                    format!(
+                        "{late} of {all_of} intervals last longer than the sampling period, the longest {longest} \
+                         periods; the verdict is the same with a tolerance of the period that allows them"
+                    ),
+                ),
                 (late, false) => see(
                     "A-SAMPLING",
                     false,
@@ -253,7 +307,7 @@ impl Log {
             }
         }
         let agrees = self.report.force.as_ref().filter(|force| force.agrees);
-        if let (Some(force), None) = (agrees, self.untold_force()) {
+        if let (Some(force), None) = (agrees, self.untold()) {
             let says = format!(
                 "the recorded force is that of the wall's law in all {} rows",
                 force.compared
@@ -283,6 +337,18 @@ fn untimed(report: &Report) -> [BigRational; 2] {
         Some(timing) => [&timing.shortest, &timing.longest].map(|end| end * &count),
         None => [count.clone(), count],
     }
+}
+
+/// Whether the wall is passive, at the same speeds, with a tolerance of the period that allows an interval of so many.
+fn is_passive_with(longest: &BigRational, study: &Study) -> bool {
+    let mut scene = study.scene.clone();
+    let period = &mut scene.given.period;
+    let longest = period.nominal.clone() * Exact::of(longest);
+    period.value = Interval::hull(period.value.lo().clone(), longest);
+    let (own, now) = (study.report(), check(&scene));
+    now.verdict == passivity_scene::check::Verdict::Passive
+        && study.is_passive()
+        && (now.at_every_speed || !own.at_every_speed)
 }
 
 /// Whether an interval of so many periods is within the period's tolerance.

@@ -7,6 +7,7 @@
 
 mod identification;
 mod log;
+mod speeds;
 
 use std::path::Path;
 
@@ -20,6 +21,7 @@ pub use identification::{Compared, Identification, Over};
 pub use log::Log;
 
 use crate::error::CaseError;
+use crate::study::Study;
 
 /// Which recordings there are, how they are read, and what a person says of them.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
@@ -103,7 +105,7 @@ pub struct Recorded {
 }
 
 impl Recorded {
-    /// Reads, audits and identifies. `text` is that of the scene file; `progress` is told how much of
+    /// Reads, audits and identifies what was recorded of the device in a scene; `progress` is told how much of
     /// the identification's work is done, and how much it is at the most.
     ///
     /// # Errors
@@ -112,10 +114,10 @@ impl Recorded {
     /// changed while it was read; a device or a date that is not given as it must be.
     pub fn read(
         given: Recordings,
-        scene: &Scene,
-        text: &str,
+        study: &Study,
         progress: impl FnMut(u64, u64),
     ) -> Result<Self, CaseError> {
+        let scene = &study.scene;
         given.validate()?;
         let paths = given.logs.iter().chain(&given.identification);
         let paths: Vec<&Path> = paths.map(|log| log.path.as_ref()).collect();
@@ -123,7 +125,7 @@ impl Recorded {
             .map_err(|refused| CaseError::of_log(refused.0, refused.1))?;
         let (of_logs, of_identification) = dialects.split_at(given.logs.len());
         let logs = given.logs.iter().zip(of_logs).enumerate();
-        let logs = logs.map(|(index, (one, dialect))| Log::read(index + 1, one, scene, dialect));
+        let logs = logs.map(|(index, (one, dialect))| Log::read(index + 1, one, study, dialect));
         let logs: Vec<Log> = logs.collect::<Result<_, _>>()?;
         once("--log", logs.iter().map(|log| &log.source))?;
         let identification = match given.identification.is_empty() {
@@ -131,7 +133,7 @@ impl Recorded {
             false => Some(Identification::read(
                 &given,
                 scene,
-                text,
+                &study.text,
                 of_identification,
                 progress,
             )?),

@@ -190,7 +190,7 @@ fn arguments_with_recordings_keep_every_rule() {
             effort: Some(1_000_000),
         };
         let mut study = Study::read(&scene).expect("a scene");
-        let recorded = Recorded::read(given, &study.scene, &study.text, |_, _| {});
+        let recorded = Recorded::read(given, &study, |_, _| {});
         study.recorded = Some(recorded.expect("logs"));
         let argument = argue(&study, &records);
         let yaml = argument.to_yaml();

@@ -145,7 +145,7 @@ pub(super) fn read(given: Recordings, study: &Study) -> Result<Recorded, Failure
         bar.advance(done - *before);
         *before = done;
     };
-    Recorded::read(given, &study.scene, &study.text, progress).map_err(|error| refusal(&error))
+    Recorded::read(given, study, progress).map_err(|error| refusal(&error))
 }
 
 /// Why a log is refused, with the command that reads it as it seems to be meant.
