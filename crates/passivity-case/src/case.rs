@@ -1,6 +1,6 @@
 //! A case: scenes, their arguments, the records they rest on, and the history of their verdicts.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use passivity_evidence::{Freshness, Sha256};
@@ -187,11 +187,12 @@ impl fmt::Display for Objection {
     }
 }
 
-/// Gives scenes of the same file name names of their own.
+/// Gives scenes of the same file name names of their own in files, by which all scenes are called where two of them are
+/// called the same.
 fn name_apart(studies: &mut [Study]) {
     let mut seen: BTreeMap<String, usize> = BTreeMap::new();
     let taken: Vec<String> = studies.iter().map(|study| study.slug.clone()).collect();
-    for study in studies {
+    for study in &mut *studies {
         let count = seen.entry(study.slug.clone()).or_default();
         *count += 1;
         let mut number = *count;
@@ -201,6 +202,12 @@ fn name_apart(studies: &mut [Study]) {
         *count = number;
         if number > 1 {
             study.slug = format!("{}-{number}", study.slug);
+        }
+    }
+    let names: BTreeSet<&str> = studies.iter().map(Study::name).collect();
+    if names.len() < studies.len() {
+        for study in studies {
+            study.scene.name.clone_from(&study.slug);
         }
     }
 }

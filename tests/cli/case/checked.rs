@@ -162,10 +162,31 @@ fn scenes_of_one_name_are_told_apart() {
         dir.write("a/good.toml", GOOD),
         dir.write("b/good.toml", BAD),
     ];
-    let run = dir.run(&["case", &scenes[0], &scenes[1], "--out", "case"]);
+    let words = ["case", &scenes[0], &scenes[1], "--out", "case"];
+    let run = dir.run(&words);
     let check = dir.run(&["case", "--check", "case"]);
     for text in [run.stdout, check.stdout] {
         assert!(text.contains("\n  good: PASSIVE"), "{text}");
         assert!(text.contains("\n  good-2: NOT PASSIVE"), "{text}");
+        assert!(
+            text.contains("\n    good-2: G-passive is defeated"),
+            "{text}"
+        );
+    }
+    let json = dir
+        .run(&[&words[..], &["--format", "json"]].concat())
+        .json();
+    let check = dir.run(&["case", "--check", "case", "--format", "json"]);
+    for json in [json, check.json()] {
+        let names = [0, 1].map(|i| json["scenes"][i]["scene"].clone());
+        assert_eq!(names, ["good", "good-2"]);
+    }
+    let html = read(&dir, "case/case.html");
+    for says in [
+        "good: PASSIVE",
+        "good-2: NOT PASSIVE",
+        "«good-2» is not passive",
+    ] {
+        assert!(html.contains(says), "{says}");
     }
 }

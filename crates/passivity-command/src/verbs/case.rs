@@ -190,11 +190,10 @@ fn summary(case: &Case, out: &Path, objections: &[Objection]) -> String {
         "Safety case written: {}\n",
         out.join(folder::HTML).display()
     );
-    let names: Vec<&str> = case.studies.iter().map(Study::name).collect();
     for (study, argument) in case.scenes() {
         let line = format!(
             "  {}: {}; top goal {}\n",
-            own_name(&names, study.name(), &study.slug),
+            study.name(),
             study.report().headline(),
             argument.standing().words()
         );
@@ -203,14 +202,6 @@ fn summary(case: &Case, out: &Path, objections: &[Objection]) -> String {
     }
     text.push_str(&points(objections));
     text
-}
-
-/// What a scene is called, or its name in the files of the case where others are called the same.
-fn own_name<'a>(names: &[&str], name: &'a str, in_files: &'a str) -> &'a str {
-    match names.iter().filter(|other| **other == name).count() {
-        0 | 1 => name,
-        _ => in_files,
-    }
 }
 
 /// What a strict reader objects to, a line each.
@@ -287,14 +278,10 @@ fn compared(folder: &Path, findings: &Findings) -> String {
             text.push_str(&format!("  {word}: {line}\n"));
         }
     }
-    let standing = findings.standing.iter();
-    let names: Vec<&str> = standing.map(|scene| scene.scene.as_str()).collect();
     for scene in &findings.standing {
         text.push_str(&format!(
             "  {}: {}; top goal {}\n",
-            own_name(&names, &scene.scene, &scene.name),
-            scene.headline,
-            scene.standing
+            scene.scene, scene.headline, scene.standing
         ));
     }
     text.push_str(&points(&findings.objections));
