@@ -138,6 +138,29 @@ fn friction_outside_of_what_was_identified_contradicts_the_case() {
     assert!(objections.contains("A-FRICTION is not met"), "{objections}");
 }
 
+/// What `identify` printed and somebody typed back is in the range that it printed, at either end.
+#[test]
+fn an_end_of_the_range_as_it_is_printed_agrees_with_it() {
+    let dir = Dir::new();
+    let path = dir.write("scene.toml", KNOB);
+    let found = scene(&case_of_pushes(&dir, &path))["recorded"]["identification"].clone();
+    let ranges = [0, 1].map(|i| found["compared"][i]["identified"].to_string());
+    let ends = ranges.map(|range| {
+        let number = |text: &str| text.trim_matches('"').split(' ').next().map(str::to_owned);
+        let (lo, hi) = range.split_once(" … ").expect("a range");
+        [lo, hi].map(|end| number(end).expect("a number"))
+    });
+    let [viscous, coulomb] = &ends;
+    for (b, c) in viscous.iter().zip(coulomb) {
+        let text = KNOB
+            .replace("4e-5 N m s/rad ± 5%", &format!("{b} N m s/rad"))
+            .replace("1.5e-3 N m ± 5%", &format!("{c} N m"));
+        let path = dir.write("scene.toml", text);
+        let found = scene(&case_of_pushes(&dir, &path))["recorded"]["identification"].clone();
+        assert_eq!(found["evidence"]["outcome"], "supports", "{found}");
+    }
+}
+
 /// What is given at the motor is compared, and what the scene is to be given is said, at the device.
 #[test]
 fn friction_at_the_motor_is_told_from_that_at_the_device() {

@@ -6,8 +6,7 @@ use passivity_identify::{
     Bounds, Identified, IdentifyError, LogReport, Options, Provenance, Report, identify,
 };
 use passivity_scene::check::{Verdict, check, enclosure};
-use passivity_scene::display::range;
-use passivity_scene::{Given, Scene};
+use passivity_scene::{Given, Scene, display, number};
 use serde_json::{Value, json};
 
 use super::{Observed, Outcome, Recordings, Source};
@@ -58,9 +57,9 @@ pub struct Compared {
     pub in_scene: String,
     /// What the scene says of it, with its tolerance, at the device and in SI units.
     pub scene: Interval<BigRational>,
-    /// The least that it can be.
+    /// The least that it can be, as `range` has it.
     pub lo: BigRational,
-    /// The most that it can be; `None` where nothing bounds it.
+    /// The most that it can be, as `range` has it; `None` where nothing bounds it.
     pub hi: Option<BigRational>,
     /// The best estimate.
     pub best: Option<f64>,
@@ -103,7 +102,13 @@ impl Compared {
                 "the {name} of the scene, or the identified one, is no number"
             ))
         };
-        let exact = |x: f64| BigRational::from_float(x).ok_or_else(undefined);
+        let range = found.range(parameter, known);
+        // As they are printed, and may be typed back into the scene: rounded outwards.
+        let words = range
+            .split_whitespace()
+            .map(|word| word.trim_end_matches(';'));
+        let mut ends = words.filter_map(|word| number::parse(word).ok());
+        let (lo, hi) = (ends.next().ok_or_else(undefined)?, ends.next());
         let scene = match given {
             // A friction that the scene does not have is zero there.
             None => Interval::point(BigRational::zero()),
@@ -113,7 +118,7 @@ impl Compared {
         let in_scene = match given {
             None => "none".to_owned(),
             Some(given) if given.key.starts_with("motor.") => {
-                let at_device = range(&scene);
+                let at_device = display::range(&scene);
                 format!(
                     "{} at the motor ({at_device}{unit} at the device)",
                     given.text
@@ -127,10 +132,10 @@ impl Compared {
             in_place_of: given.map(|given| given.key).filter(|own| *own != key),
             in_scene,
             scene,
-            lo: exact(known.lo)?,
-            hi: known.hi.map(exact).transpose()?,
+            lo,
+            hi,
             best: known.best,
-            range: found.range(parameter, known),
+            range,
         })
     }
 }
