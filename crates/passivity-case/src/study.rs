@@ -160,7 +160,7 @@ impl Study {
             .text
             .lines()
             .map_while(|line| line.trim().strip_prefix('#'))
-            .filter(|line| !is_directive(line));
+            .filter(|line| !is_no_source(line));
         let paragraphs: Vec<String> = lines
             .collect::<Vec<_>>()
             .split(|line| line.trim().is_empty())
@@ -257,7 +257,7 @@ impl Study {
             .lines()
             .rev()
             .map_while(|line| line.trim().strip_prefix('#'))
-            .filter(|line| !is_directive(line))
+            .filter(|line| !is_no_source(line))
             .map(str::trim)
             .collect();
         lines.reverse();
@@ -273,9 +273,19 @@ fn is_open(comment: &[&str]) -> bool {
     !(is_identified && said.is_empty()) && is_placeholder(&said.join(" "))
 }
 
-/// Whether a comment speaks to editors, as `#:schema scene.schema.json` does, and not to readers.
-fn is_directive(comment: &str) -> bool {
-    comment.starts_with(':')
+/// Whether a line of a comment surely says nothing of where a number is from: it speaks to editors, as
+/// `#:schema scene.schema.json` does, or of who owns the file.
+fn is_no_source(comment: &str) -> bool {
+    const RIGHTS: [&str; 6] = [
+        "copyright",
+        "©",
+        "(c)",
+        "spdx-",
+        "all rights reserved",
+        "licensed under",
+    ];
+    let line = comment.trim().to_lowercase();
+    comment.starts_with(':') || RIGHTS.iter().any(|start| line.starts_with(start))
 }
 
 /// The comment at the end of a line of TOML: after the first `#` outside quotes.
@@ -352,7 +362,7 @@ mod tests {
     }
 
     #[test]
-    fn what_speaks_to_editors_is_no_source() {
+    fn what_speaks_to_editors_or_of_rights_is_no_source() {
         let numbers = "[dimensionless]\n#:schema s\nmu = \"50\"\nbeta = \"3/5\"\nsigma = \"3/5\"\n";
         let silent = study(&format!("#:schema scene.schema.json\n{numbers}"));
         assert_eq!((silent.head().as_str(), silent.unsourced().len()), ("", 3));
@@ -361,6 +371,18 @@ mod tests {
         ));
         assert_eq!(sourced.head(), "Measured.");
         assert!(sourced.unsourced().is_empty());
+        for rights in [
+            "Copyright 2026 ACME. All rights reserved.",
+            "© ACME",
+            "SPDX-License-Identifier: MIT",
+            "Licensed under the Apache License, Version 2.0",
+        ] {
+            let owned = study(&format!("# {rights}\n#\n{numbers}"));
+            assert_eq!((owned.head().as_str(), owned.unsourced().len()), ("", 3));
+            let sourced = study(&format!("# {rights}\n# Measured.\n{numbers}"));
+            assert_eq!(sourced.head(), "Measured.");
+            assert!(sourced.unsourced().is_empty());
+        }
     }
 
     #[test]

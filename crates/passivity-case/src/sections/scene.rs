@@ -116,8 +116,15 @@ fn parameters(document: &mut Document, study: &Study) {
     for paragraph in head.lines() {
         document.say(Line::text("The scene file says: ").and(paragraph.into()));
     }
+    let stated = study.stated();
+    if stated.iter().any(|stated| stated.source == Source::Head) {
+        document.say(
+            "That is the head of the scene file. It is taken as the source of each parameter that has no comment of its \
+             own; whether it is one is for the reader to judge.",
+        );
+    }
     let mut rows: Vec<Row> = Vec::new();
-    for stated in study.stated() {
+    for stated in stated {
         let source = match stated.source {
             Source::Comment(comment) => comment.into(),
             Source::Identified => Line::link(study.anchor("identified"), "identified from logs"),
