@@ -396,40 +396,6 @@ fn figures_are_in_the_units_of_the_scene() {
     }
 }
 
-#[test]
-fn the_people_and_the_date_are_those_that_were_given() {
-    let dir = Dir::new();
-    let scene = dir.write("good.toml", GOOD);
-    let info = dir.write(
-        "device.toml",
-        "title = \"The wall of the trainer\"\nauthor = \"A. Person\"\ndate = 2026-03-31\n",
-    );
-    let run = dir.run(&["case", &scene, "--out", "case", "--info", &info]);
-    assert_eq!(run.code, 0, "{}", run.stderr);
-    let html = read(&dir, "case/case.html");
-    for says in [
-        "<h1>The wall of the trainer</h1>",
-        "A. Person",
-        "2026-03-31",
-        "not given",
-    ] {
-        assert!(html.contains(says), "{says}");
-    }
-    assert!(read(&dir, "case/case.info.toml").contains("A. Person"));
-    for (text, about) in [
-        ("author = \"TODO\"\n", "`author` still has to be filled in"),
-        ("approval = \" \"\n", "`approval` still has to be filled in"),
-        ("date = \"today\"\n", "`date` must be a day"),
-        ("athor = \"A. Person\"\n", "athor"),
-    ] {
-        let info = dir.write("device.toml", text);
-        let run = dir.run(&["case", &scene, "--out", "other", "--info", &info]);
-        one_error(&run, about);
-        assert!(run.stderr.contains("device.toml"), "{}", run.stderr);
-        assert!(!dir.path("other").exists());
-    }
-}
-
 /// A verdict rests on a delay, a side, a controller and a transmission as on any parameter.
 #[test]
 fn what_is_no_parameter_needs_a_source_too() {

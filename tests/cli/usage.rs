@@ -108,6 +108,22 @@ fn mistakes_in_typing_exit_with_2() {
 }
 
 /// Cargo packs what is in the folder of a crate: the licences of the repository are to be there too.
+/// A case is checked without scenes: the usage beside the error does not have them.
+#[test]
+fn a_case_is_written_of_scenes_and_checked_without() {
+    let dir = Dir::new();
+    let usage = "Usage: passivity case [OPTIONS] --out <DIR> <SCENE>...\n       \
+                 passivity case [OPTIONS] --check <DIR>\n";
+    for (word, value) in [("a.toml", None), ("--log", Some("a.csv"))] {
+        let words = ["case", "--check", "case", word];
+        let run = dir.run(&[&words[..], value.as_slice()].concat());
+        assert_eq!(run.code, 2);
+        assert!(run.stderr.contains("cannot be used with"), "{}", run.stderr);
+        assert!(run.stderr.contains(usage), "{}", run.stderr);
+    }
+    assert!(dir.run(&["case", "--help"]).stdout.contains(usage));
+}
+
 #[test]
 fn every_crate_that_is_published_has_both_licences() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");

@@ -27,6 +27,8 @@ pub struct Case {
     pub info: Option<Info>,
     /// Whether to measure what accuracy costs in time, which differs from run to run.
     pub measured: bool,
+    /// The options of the command that makes the case, beside scenes, folder and recordings, as they are typed.
+    pub options: Vec<String>,
 }
 
 /// A verdict that was given.
@@ -77,6 +79,7 @@ impl Case {
             history,
             info: None,
             measured: false,
+            options: Vec::new(),
         }
     }
 

@@ -45,6 +45,8 @@ fn a_browser_prints_the_document_and_the_manifest_has_its_hash() {
     assert_eq!(run.code, 0, "{}", run.stderr);
     assert_eq!(run.json()["pdf"], "case.pdf");
     assert_eq!(read(&dir, "case/case.pdf"), "%PDF-1.4 printed\n");
+    // It is made again by the command that the document has.
+    assert!(read(&dir, "case/case.html").contains("--out case \\\n    --pdf\n"));
     assert_eq!(dir.run(&["case", "--check", "case"]).code, 0);
     dir.write("case/case.pdf", "%PDF-1.4 changed");
     let check = dir.run(&["case", "--check", "case"]);

@@ -1,6 +1,6 @@
 //! The document of `passivity case`, read by a stranger.
 
-use super::read;
+use super::{GOOD, one_error, read};
 use crate::harness::{Dir, root};
 
 /// The document of a shipped scene, without its line breaks.
@@ -55,4 +55,43 @@ fn an_open_goal_is_told_as_what_is_not_shown() {
     let (list, _) = rest.split_once("Contents").expect("the contents");
     let says = "G-criterion is open: it is not shown that «The criterion holds at every speed";
     assert!(list.contains(says), "{list}");
+}
+
+#[test]
+fn the_people_and_the_date_are_those_that_were_given() {
+    let dir = Dir::new();
+    let scene = dir.write("good.toml", GOOD);
+    let info = dir.write(
+        "device.toml",
+        "title = \"The wall of the trainer\"\nauthor = \"A. Person\"\ndate = 2026-03-31\n",
+    );
+    let run = dir.run(&["case", &scene, "--out", "case", "--info", &info]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let html = read(&dir, "case/case.html");
+    for says in [
+        "<h1>The wall of the trainer</h1>",
+        "A. Person",
+        "2026-03-31",
+        "not given",
+    ] {
+        assert!(html.contains(says), "{says}");
+    }
+    assert!(read(&dir, "case/case.info.toml").contains("A. Person"));
+    // What makes the case again makes this one.
+    let again = format!(
+        "passivity case {scene} --out case \\\n    --info {info}\npassivity case --check case"
+    );
+    assert!(html.contains(&again), "{again}");
+    for (text, about) in [
+        ("author = \"TODO\"\n", "`author` still has to be filled in"),
+        ("approval = \" \"\n", "`approval` still has to be filled in"),
+        ("date = \"today\"\n", "`date` must be a day"),
+        ("athor = \"A. Person\"\n", "athor"),
+    ] {
+        let info = dir.write("device.toml", text);
+        let run = dir.run(&["case", &scene, "--out", "other", "--info", &info]);
+        one_error(&run, about);
+        assert!(run.stderr.contains("device.toml"), "{}", run.stderr);
+        assert!(!dir.path("other").exists());
+    }
 }

@@ -25,11 +25,18 @@ pub(super) fn write(document: &mut Document, case: &Case) {
     let explain = typed
         .iter()
         .map(|scene| format!("passivity explain {scene}\n"));
+    let recordings = case
+        .studies
+        .iter()
+        .filter_map(|study| study.recorded.as_ref());
+    let options = recordings
+        .flat_map(words)
+        .chain(case.options.iter().cloned());
+    let options: String = options.map(|word| format!(" \\\n    {word}")).collect();
     document.blocks.push(Block::Listing(format!(
-        "make prove\npassivity check {scenes}\n{}passivity case {scenes} --out case{}\npassivity case \
-         --check case",
+        "make prove\npassivity check {scenes}\n{}passivity case {scenes} --out case{options}\n\
+         passivity case --check case",
         explain.collect::<String>(),
-        case.studies.iter().filter_map(|study| study.recorded.as_ref()).map(words).collect::<String>(),
     )));
     let commit = match &case.records.commit {
         Some(commit) => Line::code(commit),
@@ -82,7 +89,7 @@ pub(super) fn write(document: &mut Document, case: &Case) {
 }
 
 /// The words of the command that give the recordings.
-fn words(recorded: &Recorded) -> String {
+fn words(recorded: &Recorded) -> Vec<String> {
     let given = &recorded.given;
     let mut options: Vec<(&str, String)> = Vec::new();
     options.extend(given.logs.iter().map(|log| ("--log", log.path.clone())));
@@ -112,9 +119,6 @@ fn words(recorded: &Recorded) -> String {
         words.push("--decimal-comma".to_owned());
     }
     words
-        .iter()
-        .map(|word| format!(" \\\n    {word}"))
-        .collect()
 }
 
 /// The files that the evidence covers, each with its sum; files that no claim implements are in the

@@ -4,6 +4,7 @@ mod recordings;
 
 use std::path::{Path, PathBuf};
 
+use passivity_audit::{legible, shell_word};
 use passivity_case::case::Objection;
 use passivity_case::check::{Findings, check};
 use passivity_case::{Case, Info, Records, Study, folder, print, tree};
@@ -21,7 +22,10 @@ use recordings::Options;
 /// was recorded for other sources is shown as stale, evidence that was never recorded as not run
 /// here.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
+#[command(
+    override_usage = "passivity case [OPTIONS] --out <DIR> <SCENE>...
+       passivity case [OPTIONS] --check <DIR>",
+    after_help = "Examples:
   passivity case scenes/re35.toml --out case
   passivity case scenes/re35.toml --out case --strict
   passivity case scenes/re35.toml --out case --info device.toml --pdf
@@ -40,7 +44,8 @@ each of which may be left out.
 Exit codes: 0 every scene is passive and every log supports it (with --check: the case is current,
 whatever it says); 1 not, or with --strict something is stale, missing, open or defeated; 2 bad
 input, or --pdf found no browser to print with (the rest of the case is written); 3 a scene has an
-effect that no theorem covers, or that the account of a log leaves out.")]
+effect that no theorem covers, or that the account of a log leaves out."
+)]
 pub(crate) struct Args {
     /// Scene files.
     #[arg(
@@ -88,6 +93,26 @@ pub(crate) struct Args {
     format: Format,
 }
 
+impl Args {
+    /// The options that change what is written, beside the folder and what is recorded, as they are typed.
+    fn typed(&self) -> Vec<String> {
+        let files = [
+            ("--root", &self.root),
+            ("--evidence", &self.evidence),
+            ("--info", &self.info),
+        ];
+        let files = files.into_iter().filter_map(|(name, path)| {
+            let path = path.as_ref()?.to_string_lossy();
+            Some(format!("{name} {}", shell_word(&legible(&path))))
+        });
+        let switches = [("--pdf", self.pdf), ("--accuracy", self.accuracy)];
+        let switches = switches.into_iter().filter(|(_, is_on)| *is_on);
+        files
+            .chain(switches.map(|(name, _)| name.to_owned()))
+            .collect()
+    }
+}
+
 /// Writes or checks a case.
 pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let records =
@@ -132,6 +157,7 @@ fn write(args: &Args, out: &Path, records: Records) -> Result<Exit, Failure> {
     let history = folder::history(out).map_err(Failure::input)?;
     let mut case = Case::new(studies, records, history);
     case.measured = args.accuracy;
+    case.options = args.typed();
     case.info = info;
     folder::write(&case, out).map_err(Failure::input)?;
     if args.pdf {
