@@ -34,6 +34,14 @@ fn bad_input_is_refused_with_its_place() {
         &sketch,
         "count=it'\\''s count, f=NAME [N m]'`, with `--delimiter ';'`\n",
     );
+    // It is needed: what an audit would do without it is not said.
+    let log = dir.write("j.csv", "t [s],count,f [N]\n0,0,0\n0.001,1,0.01\n");
+    for more in [&[][..], &["--columns", "t=t [s], count=count, f=f [N]"]] {
+        let run = dir.run(&[&["identify", &log, "--scene", &sketch], more].concat());
+        assert_eq!(run.code, 2);
+        assert!(run.stderr.contains("such as `N m`"), "{}", run.stderr);
+        assert!(!run.stderr.contains("wall's law"), "{}", run.stderr);
+    }
     refused(
         "b.csv",
         "count,f [N m]\n0,1\n",

@@ -447,4 +447,4 @@ fn form<'f>(said: &'f [Found], headings: &[Heading]) -> Result<(Form, &'f Found)
 
 mod even;
 mod fine;
-mod refused;
+pub(super) mod refused;

@@ -8,6 +8,7 @@ use crate::log::chunk::Chunk;
 use crate::log::error::TraceError;
 use crate::log::guess::Otherwise;
 use crate::log::layout::Layout;
+use crate::log::layout::refused::LAW;
 use crate::log::lines::BLOCK;
 use crate::log::parsed;
 use crate::log::source::{Dialect, Source};
@@ -106,8 +107,9 @@ fn wanted(found: &str, columns: Option<String>, scene: &Scene) -> String {
     )
 }
 
-/// The error of a header; what it may mean is no proposal where that leaves out the force.
+/// The error of a header; what it may mean is no proposal where that leaves out the force, which is needed.
 fn with_force(mut error: TraceError, scene: &Scene) -> TraceError {
+    error.message = error.message.replace(LAW, "");
     if let Some(proposal) = error.proposal.take_if(|proposal| !proposal.has_force) {
         let mut wanted = wanted(
             "and no column looks like one",

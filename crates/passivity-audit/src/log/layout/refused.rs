@@ -147,8 +147,8 @@ pub(super) fn unknown_position(known: &[Found], headings: &[Heading], scene: &Sc
 const FORCE: &str =
     "write a number in each row, in a unit of the scene's forces that the name of the column gives";
 
-/// What leaving it out would do.
-const LAW: &str = "; if `--columns` leaves it out, the account is of the force of the wall's law, not of the one that was \
+/// What leaving it out would do, where an account is made.
+pub(in crate::log) const LAW: &str = "; if `--columns` leaves it out, the account is of the force of the wall's law, not of the one that was \
     held";
 
 /// What a header may mean, beyond what its columns say themselves, where that can be read and leaves out no clock, without
