@@ -1,7 +1,7 @@
 //! A log of the device in the scene, audited.
 
 use num_traits::{ToPrimitive as _, Zero as _};
-use passivity_audit::{Dialect, Finding, Force, Observer, Options, Report, Verdict, audit};
+use passivity_audit::{Dialect, Finding, Force, Form, Observer, Options, Report, Verdict, audit};
 use passivity_core::{BigRational, Exact, Interval};
 use passivity_scene::check::{check, enclosure};
 use passivity_scene::display::{approx, range};
@@ -102,6 +102,16 @@ impl Log {
                 format!("{text}, by the scene's sampling period: the log has no times")
             }
         }
+    }
+
+    /// What is to be known of the file beside its rows: a ledger is none that a device writes.
+    #[must_use]
+    pub fn form_text(&self) -> Option<&'static str> {
+        (self.report.positions == Form::Ledger).then_some(
+            "a ledger, as passivity simulate --out writes it of a simulation and passivity audit --out of a log: its \
+             positions are in ticks of the loop that it was written for, which may be another, and it is no recording \
+             unless a log of the device was audited for it",
+        )
     }
 
     /// What the forces of the log say, in words.

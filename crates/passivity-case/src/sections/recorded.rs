@@ -67,6 +67,9 @@ fn audited(document: &mut Document, study: &Study, log: &Log) {
     let mut rows: Vec<Row> = cited(source).to_vec();
     let mut row = |name: &str, value: String| rows.push([Line::text(name), value.into()].into());
     row("Recorded, as given", source.date.clone());
+    if let Some(form) = log.form_text() {
+        row("Form", form.to_owned());
+    }
     row(
         "Length",
         format!(

@@ -96,10 +96,12 @@ fn supporting(study: &Study) -> Vec<Line> {
     for log in &recorded.logs {
         if log.outcome(&study.scene) == Outcome::Supports {
             let (file, date) = (&log.source.name, &log.source.date);
+            let form = log.form_text().map(|form| format!(" The file is {form}."));
             items.push(Line::text(format!(
-                "«{name}»: the log «{file}» of the device «{device}» ({date}; both as given), {} samples: {}.",
+                "«{name}»: the log «{file}» of the device «{device}» ({date}; both as given), {} samples: {}.{}",
                 log.report.samples,
-                log.headline()
+                log.headline(),
+                form.unwrap_or_default()
             )));
         }
     }
