@@ -93,7 +93,12 @@ impl Audit {
         let counted = findings.steps.finding(task.layout);
         let force = task.layout.force.map(|column| task.layout.name(column));
         let held = findings.held.findings(&force.unwrap_or_default());
-        let found = found.chain(clock).chain(held).chain(moving).chain(wrapped).chain(counted);
+        let found = found
+            .chain(clock)
+            .chain(held)
+            .chain(moving)
+            .chain(wrapped)
+            .chain(counted);
         let mut found: Vec<Finding> = found.collect();
         let is_its_law = !task.applied || agreement.as_ref().is_some_and(|a| a.agrees);
         let judged = match is_its_law && !task.ledger.has_memory() {
