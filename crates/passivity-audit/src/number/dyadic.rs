@@ -25,6 +25,8 @@ pub(crate) trait Bits: Copy + Debug + PartialEq {
     fn plus(self, other: Self) -> Option<Self>;
     fn minus(self, other: Self) -> Option<Self>;
     fn times(self, other: Self) -> Option<Self>;
+    /// Itself times a factor, in 256 bits.
+    fn by(self, factor: i128) -> Option<I256>;
     /// Itself times 2^k.
     fn shifted(self, k: u32) -> Option<Self>;
     /// Itself over 2^k, rounded down.
@@ -34,7 +36,7 @@ pub(crate) trait Bits: Copy + Debug + PartialEq {
 }
 
 macro_rules! bits {
-    ($kind:ty, $zero:expr, $as_wide:expr) => {
+    ($kind:ty, $zero:expr, $as_wide:expr, $by:expr, $product:meta) => {
         impl Bits for $kind {
             const ZERO: Self = $zero;
 
@@ -59,6 +61,11 @@ macro_rules! bits {
             }
 
             #[inline(always)]
+            fn by(self, factor: i128) -> Option<I256> {
+                $by(self, factor)
+            }
+
+            #[$product]
             fn times(self, other: Self) -> Option<Self> {
                 let zeros =
                     self.unsigned_abs().leading_zeros() + other.unsigned_abs().leading_zeros();
@@ -87,13 +94,25 @@ macro_rules! bits {
     };
 }
 
-bits!(i128, 0, I256::from);
-bits!(I256, I256::ZERO, std::convert::identity);
+bits!(i128, 0, I256::from, wide_product, inline(always));
+bits!(
+    I256,
+    I256::ZERO,
+    std::convert::identity,
+    |n: I256, factor: i128| n.times(factor.into()),
+    inline(never)
+);
 
-/// A product of factors of which one has 128 bits, where 254 bits hold it.
+/// A product of two numbers of 128 bits: 256 bits hold it.
 #[inline(always)]
-fn product<N: Bits>(n: N, factor: i128) -> Option<I256> {
-    n.wide().times(factor.into())
+#[allow(clippy::unnecessary_wraps)] // other products may not be held
+fn wide_product(n: i128, factor: i128) -> Option<I256> {
+    let [a, b] = [n, factor].map(|n| U256::from(n.unsigned_abs()));
+    let size = a.wrapping_mul(b).as_i256();
+    Some(match (n < 0) == (factor < 0) {
+        true => size,
+        false => size.wrapping_neg(),
+    })
 }
 
 impl<N: Bits> Dyadic<N> {
@@ -234,7 +253,7 @@ impl<N: Bits> Term for Dyadic<N> {
     #[inline(always)]
     fn by(self, factor: i128) -> Option<Self::Sum> {
         Some(Dyadic {
-            n: product(self.n, factor)?,
+            n: self.n.by(factor)?,
             twos: self.twos,
         })
     }
