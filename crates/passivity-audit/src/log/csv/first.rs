@@ -243,6 +243,17 @@ pub(super) fn other_width(
         message
             .push_str(" (numbers with commas stand in quotes where fields stand apart by commas)");
     }
+    let commas = Notation {
+        delimiter: b';',
+        decimal_comma: true,
+    };
+    let is_one = layout.width() == 1 && notation == Notation::default();
+    if is_one && is_number(trimmed(line), commas) {
+        message.push_str(&format!(
+            " (if its numbers are written with a comma before the decimals, read the log{})",
+            commas.with_options().replacen(',', "", 1)
+        ));
+    }
     message.push_str(&surplus(layout.headings.iter().map(|it| &it.name), width));
     // As one field it says nothing.
     let others = b";\t| ,".iter().filter(|_| width == 1);

@@ -175,3 +175,22 @@ fn an_interrupted_recording_is_said_to_be_one() {
         "{error}"
     );
 }
+
+/// A comma parts the number of the only column, too.
+#[test]
+fn a_column_alone_may_have_commas_before_its_decimals() {
+    for decimals in ["0,05\n0,06\n", "-12,5\r\n3,0\r\n"] {
+        let log = format!("x [mm]\n{decimals}");
+        let audit = audited(&log, None).unwrap();
+        let error = audit.error().unwrap().to_string();
+        let says = "row 1: expected 1 fields, found 2 (if its numbers are written with a comma before the decimals, read the log with \
+            `--delimiter ';' --decimal-comma`)";
+        assert!(error.contains(says), "{error}");
+    }
+    // What is no number in that notation either.
+    for row in ["0,05,1", "a,b", "0.5,1"] {
+        let audit = audited(&format!("x [mm]\n{row}\n"), None).unwrap();
+        let error = audit.error().unwrap().to_string();
+        assert!(!error.contains("--decimal-comma"), "{error}");
+    }
+}
