@@ -39,6 +39,15 @@ pub(crate) fn are_kin(a: Role, b: Role) -> bool {
     Kind::of(a) == Kind::of(b)
 }
 
+/// Whether a column is called like what this role says, where its unit is none of a force, or is a force by its unit.
+pub(crate) fn is_called(role: Role, heading: &Heading, motion: Motion) -> bool {
+    let is_force = role == Role::F;
+    match has_force(heading) {
+        true => is_force,
+        false => called(Kind::of(role), heading, motion) >= LIKELY,
+    }
+}
+
 /// Whether the unit of a column says that it is something else than its name does.
 pub(crate) fn is_another(found: &Found, headings: &[Heading]) -> bool {
     let heading = headings.get(found.column);

@@ -14,36 +14,12 @@ use crate::log::preview::Preview;
 use crate::log::scale::{Scale, force_scale, position_scale, time_scale, velocity_scale};
 use crate::number::{Number, difference, is_positive, quotient};
 use fine::Fine;
+pub use form::Form;
+use form::form;
 use refused::{not_read, proposal, unknown_position};
 
 /// The most columns of a trace.
 pub(crate) const MAX_COLUMNS: usize = 4096;
-
-/// In what form the trace gives positions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// `xi`, in ticks.
-    Xi,
-    /// `x [unit]`.
-    X,
-    /// `count`.
-    Count,
-    /// `xi0`, `xi1` and perhaps `dtau`: the rows of a ledger.
-    Ledger,
-}
-
-impl Form {
-    /// The name used in machine-readable output.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Xi => "xi",
-            Self::X => "x",
-            Self::Count => "count",
-            Self::Ledger => "ledger",
-        }
-    }
-}
 
 /// What the header says.
 #[derive(Clone, Debug)]
@@ -102,7 +78,7 @@ impl Layout {
                 error
             })?,
             None => {
-                if let Some(layout) = Self::of_ledger(&headings)? {
+                if let Some(layout) = Self::of_ledger(&headings, scene)? {
                     return Ok(layout);
                 }
                 let mut said = by_name(&headings).map_err(|e| proposed(e, &[]))?;
@@ -146,45 +122,6 @@ impl Layout {
             None => found.map_err(|error| proposed(error, &said)),
         };
         sound(Self::of(&said, &headings, scene))
-    }
-
-    /// The layout of a ledger, which repeats its positions in columns of its own.
-    fn of_ledger(headings: &[Heading]) -> Result<Option<Self>, TraceError> {
-        let find = |base: &str| {
-            let mut named = (0..).zip(headings).filter(|(_, h)| h.name.trim() == base);
-            match (named.next(), named.next()) {
-                (_, Some(_)) => Err(twice(base)),
-                (found, None) => Ok(found.map(|(column, _)| column)),
-            }
-        };
-        let (Some(start), Some(end)) = (find("xi0")?, find("xi1")?) else {
-            if find("xi0_lo")?.is_some() && find("xi1_hi")?.is_some() {
-                let message = "a ledger of bounds, with columns like `xi0_lo` and `xi0_hi`, is no trace: \
-                    audit the log that it was made of";
-                return Err(header(message));
-            }
-            return Ok(None);
-        };
-        Ok(Some(Self {
-            form: Form::Ledger,
-            position: start,
-            end: Some(end),
-            dtau: find("dtau")?,
-            time: None,
-            fine: None,
-            // A ledger says under which force its intervals were, when that is not the law's.
-            force: find("force")?,
-            velocity: None,
-            headings: headings.to_vec(),
-            said: Vec::new(),
-            beside: Beside::default(),
-            scale: Scale::One,
-            per_period: Number::whole(1),
-            per_force: Scale::One,
-            size_of_force: 1.0,
-            digits: Digits::default(),
-            per_velocity: 1.0,
-        }))
     }
 
     /// The layout of columns that say these things.
@@ -413,38 +350,7 @@ pub(crate) fn header(message: impl Into<String>) -> TraceError {
     TraceError::new("header", message)
 }
 
-fn twice(name: &str) -> TraceError {
-    header(format!("the column `{name}` is given twice")).column(name)
-}
-
-/// The form of positions and the column that has them.
-fn form<'f>(said: &'f [Found], headings: &[Heading]) -> Result<(Form, &'f Found), TraceError> {
-    let forms = [
-        (Form::Xi, Role::Xi),
-        (Form::X, Role::X),
-        (Form::Count, Role::Count),
-    ];
-    let mut present = forms.into_iter().filter_map(|(form, role)| {
-        let found = said.iter().find(|found| found.role == role)?;
-        Some((form, found))
-    });
-    match (present.next(), present.next()) {
-        (Some(found), None) => Ok(found),
-        (Some((form, _)), Some((other, _))) => Err(header(format!(
-            "expected one of `xi`, `x [unit]` and `count`, found `{}` and `{}`",
-            form.name(),
-            other.name()
-        ))),
-        (None, _) => {
-            let found = headings.iter().take(8).map(|h| shown(h.name.as_bytes()));
-            let found = found.collect::<Vec<_>>().join("`, `");
-            Err(header(format!(
-                "expected a column `xi`, `x [unit]` or `count`, found `{found}`"
-            )))
-        }
-    }
-}
-
 mod even;
 mod fine;
+mod form;
 pub(super) mod refused;

@@ -216,13 +216,13 @@ pub(super) fn proposal(
     // What the header leaves open as well: where each is meant, and what it makes of the columns.
     let mut ways: Vec<(Vec<String>, Vec<Found>)> = vec![(Vec::new(), all.clone())];
     let mut leaves_open = |condition: &str, other: &dyn Fn(&[Found]) -> Vec<Found>| {
-        let others = ways.iter().map(|(conditions, found)| {
-            let conditions = conditions.iter().cloned().chain([condition.to_owned()]);
-            (conditions.collect(), other(found))
-        });
-        let is_new = |(_, found): &(_, Vec<Found>)| ways.iter().all(|(_, own)| own != found);
-        let others: Vec<_> = others.filter(is_new).collect();
-        ways.extend(others);
+        for (conditions, found) in ways.clone() {
+            let found = other(&found);
+            if ways.iter().all(|(_, own)| *own != found) {
+                let conditions = conditions.into_iter().chain([condition.to_owned()]);
+                ways.push((conditions.collect(), found));
+            }
+        }
     };
     leaves_open("it is no clock", &|_| sure.clone());
     for found in all.iter().filter(|it| it.role == Role::T && !is_typed(it)) {

@@ -143,6 +143,42 @@ fn what_a_broken_ledger_accounts_for_does_not_depend_on_where_a_block_ends() {
 }
 
 #[test]
+fn a_ledger_with_a_force_or_a_clock_under_another_name_is_refused() {
+    let plain = "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"";
+    for (columns, name) in [
+        ("xi0,xi1,f", "f"),
+        ("xi0,xi1,tau", "tau"),
+        ("h,xi0,xi1,t", "t"),
+        ("xi0,xi1,f [N]", "f [N]"),
+        ("xi0,xi1,dtau,torque", "torque"),
+        ("xi0,xi1,dtau,tau [N m]", "tau [N m]"),
+        ("xi0,xi1,force,time [s]", "time [s]"),
+    ] {
+        let row = "1,".repeat(columns.split(',').count() - 1);
+        let error = refusal(format!("{columns}\n{row}1\n").as_bytes(), plain);
+        assert_eq!(error.column.as_deref(), Some(name), "{error}");
+        assert!(
+            error.to_string().contains("the force as `force`, in KΔ"),
+            "{error}"
+        );
+    }
+    // What these say already, and the other columns of a ledger.
+    for columns in [
+        "xi0,xi1,dtau,tau",
+        "xi0,xi1,force,f",
+        "h,xi0,xi1,net_linear,v0,xi",
+    ] {
+        let row = "1,".repeat(columns.split(',').count() - 1);
+        audited(
+            format!("{columns}\n{row}1\n").as_bytes(),
+            &scene(plain),
+            1,
+            0,
+        );
+    }
+}
+
+#[test]
 fn a_gap_between_two_files_leaves_the_interval_before_it() {
     let files = ["xi0,xi1\n0,0\n0,1\n1,1/2\n", "xi0,xi1\n2,3\n3,4\n"];
     let files = files.map(|text| Scratch::new("csv", text.as_bytes()));
