@@ -213,7 +213,7 @@ impl Values {
             }
             (Self::Doubles(values), Samples::Counts(counts)) => {
                 let values = values.get(range).unwrap_or_default();
-                let (found, error) = until_error(values, |x| whole(*x));
+                let (found, error) = until_error(values, |x| count(&double(*x)?, DOUBLE));
                 *counts = found;
                 error
             }
@@ -246,17 +246,32 @@ impl Values {
     }
 }
 
-/// The count that a double is.
-fn whole(x: f64) -> Result<i64, TraceError> {
-    match double(x)? {
-        Number::Small(n, d) if n % d == 0 => Ok(n / d),
-        _ => {
-            let message =
-                format!("expected a count, which is a whole number of at most 64 bits, found {x}");
-            Err(TraceError::new("count", message))
-        }
-    }
+/// The count that a number is, of a type that tells whole numbers below 2^bits apart: at larger ones a count was rounded to
+/// what is there.
+pub(crate) fn count(x: &Number, bits: u32) -> Result<i64, TraceError> {
+    let whole = match x {
+        Number::Small(n, d) if n % d == 0 => Some(n / d),
+        _ => None,
+    };
+    let told = whole.filter(|n| bits == EXACT || n.unsigned_abs() >> bits == 0);
+    told.ok_or_else(|| {
+        let expected = match bits {
+            EXACT => "of at most 64 bits".to_owned(),
+            bits => format!("below 2^{bits}, from which on its type leaves out some"),
+        };
+        let message = format!("expected a count, which is a whole number {expected}, found {x}");
+        TraceError::new("count", message)
+    })
 }
+
+/// The bits of whole numbers, of the significands of doubles, and of those in single precision.
+pub(crate) const EXACT: u32 = 64;
+pub(crate) const DOUBLE: u32 = f64::MANTISSA_DIGITS;
+#[cfg_attr(
+    not(feature = "parquet"),
+    expect(dead_code, reason = "of Parquet only")
+)]
+pub(crate) const SINGLE: u32 = f32::MANTISSA_DIGITS;
 
 /// What `f` makes of the values, up to the first that it refuses.
 fn until_error<T>(

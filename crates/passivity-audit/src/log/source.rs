@@ -1,5 +1,6 @@
 //! Where samples come from: files in order, CSV as it is or compressed, Parquet, MCAP, or memory.
 
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{Cursor, Read};
 use std::path::{Path, PathBuf};
@@ -79,6 +80,7 @@ impl Source {
         let Some(first) = paths.first() else {
             return Err(TraceError::new("empty", "a log needs a file"));
         };
+        once(paths)?;
         let opened = open(first, block).and_then(|opened| opened.read(scene, dialect));
         let (reader, mut layout) = opened.map_err(|error| match paths.len() {
             1 => error,
@@ -153,6 +155,22 @@ impl Source {
             }
         }
     }
+}
+
+/// Refuses a file that is given twice: without times its motion would be accounted for once more, after a jump to its start.
+fn once(paths: &[PathBuf]) -> Result<(), TraceError> {
+    let mut known = BTreeSet::new();
+    for path in paths {
+        // A pipe goes on where it was left.
+        let is_file = path.as_os_str() != "-" && path.is_file();
+        let place = path.canonicalize().ok().filter(|_| is_file);
+        if place.is_some_and(|place| !known.insert(place)) {
+            let message =
+                "the file is given twice: the files of a log are its parts, each of them once";
+            return Err(TraceError::new("twice", message).of(&path.display().to_string()));
+        }
+    }
+    Ok(())
 }
 
 /// The digits of a column at the start of a log, of which the first file may have few rows; `None` where that is not read
@@ -240,6 +258,11 @@ pub(crate) fn opened(
     let mut inside = decompressed(whole, &start)?;
     let start = self::start(&mut inside)?;
     shape::is_read(&start)?;
+    if is_compressed(&start) {
+        let message =
+            "the file is compressed twice: decompress it once, with `gzip -d` or `zstd -d`";
+        return Err(TraceError::new("compressed", message));
+    }
     if start.starts_with(b"PAR1") {
         let message = "Parquet inside a compressed file is not read: decompress the file";
         return Err(TraceError::new("parquet", message));

@@ -8,6 +8,7 @@ use parquet::errors::ParquetError;
 use parquet::schema::types::ColumnDescriptor;
 use passivity_core::BigRational;
 
+use crate::log::arrays::{DOUBLE, EXACT, SINGLE, count};
 use crate::log::digits::{Place, Seen, half_a_unit};
 use crate::log::error::{self, TraceError};
 use crate::log::layout::Layout;
@@ -257,14 +258,14 @@ pub(crate) fn counts(meaning: Meaning, reader: &mut ColumnReader, rows: usize) -
         (ColumnReader::Int32ColumnReader(reader), Meaning::Plain) => {
             values(reader, rows).map(|n| Ok(i64::from(n)))
         }
-        (reader, meaning) => numbers(meaning, reader, rows).map(|x| match x {
-            Number::Small(n, 1) => Ok(n),
-            Number::Small(n, d) if n % d == 0 => Ok(n / d),
-            x => Err(TraceError::new(
-                "count",
-                format!("expected a count, which is a whole number of at most 64 bits, found {x}"),
-            )),
-        }),
+        (reader, meaning) => {
+            let bits = match reader {
+                ColumnReader::DoubleColumnReader(_) => DOUBLE,
+                ColumnReader::FloatColumnReader(_) => SINGLE,
+                _ => EXACT,
+            };
+            numbers(meaning, reader, rows).map(|x| count(&x, bits))
+        }
     }
 }
 

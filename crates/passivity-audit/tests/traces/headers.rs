@@ -244,6 +244,25 @@ fn what_stands_in_the_way_of_a_header_is_named() {
         "{}",
         bytes(&utf_16)
     );
+    // Without a mark at its start.
+    for (order, ends) in [
+        ("LE", u16::to_le_bytes as fn(u16) -> [u8; 2]),
+        ("BE", u16::to_be_bytes),
+    ] {
+        let text: Vec<u8> = "count\n0\n".encode_utf16().flat_map(ends).collect();
+        let says = format!(
+            "text in UTF-16, which is not read: convert it with `iconv -f UTF-16{order} -t UTF-8`"
+        );
+        assert!(bytes(&text).contains(&says), "{}", bytes(&text));
+    }
+    // A stored block of gzip that holds the start of another such file.
+    let head = b"\x1f\x8b\x08\0\0\0\0\0\0\x03";
+    let twice = [&head[..], b"\x01\x10\0\xef\xff", head, &[0; 6]].concat();
+    assert!(
+        bytes(&twice).contains("compressed twice"),
+        "{}",
+        bytes(&twice)
+    );
     for (start, says) in [
         (&b"\xfd7zXZ\0\0"[..], "compressed by xz"),
         (b"\x89HDF\r\n\x1a\n", "the file is HDF5"),

@@ -61,7 +61,23 @@ const ICONV: &str = "convert it with `iconv -f UTF-16 -t UTF-8`";
 /// Refuses a file that starts as one of a format that is not read.
 pub(super) fn is_read(start: &[u8]) -> Result<(), TraceError> {
     let is_it = |(magic, ..): &&(&[u8], &str, &str)| start.starts_with(magic);
-    match FORMATS.iter().find(is_it) {
+    // Of text in UTF-16 without a mark at its start every second byte is zero.
+    let is_zero = |at: usize| start.iter().skip(at).step_by(2).all(|byte| *byte == 0);
+    let unmarked = match [is_zero(0), is_zero(1)] {
+        [true, false] => Some((
+            &b""[..],
+            UTF_16,
+            "convert it with `iconv -f UTF-16BE -t UTF-8`",
+        )),
+        [false, true] => Some((
+            &b""[..],
+            UTF_16,
+            "convert it with `iconv -f UTF-16LE -t UTF-8`",
+        )),
+        _ => None,
+    };
+    let unmarked = unmarked.filter(|_| start.len() > 2);
+    match FORMATS.iter().find(is_it).or(unmarked.as_ref()) {
         Some((_, what, remedy)) => {
             let message = format!("the file is {what}, which is not read: {remedy}");
             Err(TraceError::new("format", message))

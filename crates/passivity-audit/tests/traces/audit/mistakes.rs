@@ -245,3 +245,26 @@ fn a_last_row_without_its_line_break_is_told_of_each_file() {
         }
     }
 }
+
+#[test]
+fn a_file_of_a_log_is_given_once() {
+    let files =
+        ["count\n0\n1\n2\n", "count\n3\n4\n"].map(|text| Scratch::new("csv", text.as_bytes()));
+    let [first, second] = files.each_ref().map(|file| file.to_path_buf());
+    let other_name = first
+        .parent()
+        .unwrap()
+        .join(".")
+        .join(first.file_name().unwrap());
+    for twice in [&first, &other_name] {
+        let paths = [first.clone(), second.clone(), twice.clone()];
+        let error = audit_files(&paths, &three_fifths(), Options::default()).unwrap_err();
+        assert_eq!(error.kind, "twice", "{error}");
+        assert!(
+            error.to_string().contains("the file is given twice"),
+            "{error}"
+        );
+    }
+    let once = audit_files(&[first, second], &three_fifths(), Options::default()).unwrap();
+    assert_eq!(once.totals().intervals, 4);
+}

@@ -4,8 +4,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use parquet::data_type::{
-    BoolType, ByteArray, ByteArrayType, FixedLenByteArray, FixedLenByteArrayType, Int32Type,
-    Int64Type, Int96, Int96Type,
+    BoolType, ByteArray, ByteArrayType, DoubleType, FixedLenByteArray, FixedLenByteArrayType,
+    FloatType, Int32Type, Int64Type, Int96, Int96Type,
 };
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
@@ -20,6 +20,8 @@ use crate::scratch::Scratch;
 enum Stored {
     Short(i32),
     Long(i64),
+    Single(f32),
+    Double(f64),
     Bytes(&'static [u8]),
     /// A day, and the nanoseconds in it.
     Day(u32, u64),
@@ -55,6 +57,18 @@ fn store(columns: &[(&str, Vec<Stored>)]) -> Scratch {
                     column
                         .typed::<Int64Type>()
                         .write_batch(&[*n], None, None)
+                        .unwrap();
+                }
+                Stored::Single(x) => {
+                    column
+                        .typed::<FloatType>()
+                        .write_batch(&[*x], None, None)
+                        .unwrap();
+                }
+                Stored::Double(x) => {
+                    column
+                        .typed::<DoubleType>()
+                        .write_batch(&[*x], None, None)
                         .unwrap();
                 }
                 Stored::Day(day, nanoseconds) => {
@@ -184,6 +198,34 @@ fn types_mean_what_they_say() {
     // A count past 63 bits is none.
     let path = store(&[("int64 count (INTEGER(64,false))", vec![Long(-1), Long(0)])]);
     assert_eq!(read(&path).unwrap().error().unwrap().kind, "count");
+}
+
+/// A type that leaves out some whole numbers rounds a count past them to another.
+#[test]
+fn counts_that_their_type_may_have_rounded_are_refused() {
+    use Stored::{Double, Single};
+    let (single, double) = (16_777_216.0, 9_007_199_254_740_992.0);
+    for (field, largest, next, bits) in [
+        ("float count", Single(single - 1.0), Single(single), 24),
+        ("double count", Double(double - 1.0), Double(-double), 53),
+    ] {
+        let path = store(&[(field, vec![largest, next])]);
+        let error = read(&path).unwrap().error().unwrap().clone();
+        let place = (error.kind, error.row, error.column.as_deref());
+        assert_eq!(place, ("count", Some(2), Some("count")), "{error}");
+        let says = format!("a whole number below 2^{bits}, from which on its type leaves out some");
+        assert!(error.message.contains(&says), "{error}");
+    }
+    let scene = Scene::from_toml("s", "[dimensionless]\nbeta = \"1\"\nsigma = \"1\"\n").unwrap();
+    let counts = Values::Doubles(vec![double - 1.0, double]);
+    let audit = audit_columns(
+        vec![("count".to_owned(), counts)],
+        &scene,
+        Options::default(),
+    )
+    .unwrap();
+    let error = audit.error().unwrap();
+    assert_eq!((error.kind, error.row), ("count", Some(2)), "{error}");
 }
 
 /// Of a log with a clock, at a wall that is sampled a thousand times a second.
