@@ -58,7 +58,8 @@ impl Finding {
 /// What stands out in the forces of a log.
 pub(crate) fn of_force(agreement: &Agreement, layout: &Layout, scene: &Scene) -> Vec<Finding> {
     if agreement.agrees || agreement.compared == 0 {
-        return Vec::new();
+        let edge = agreement.edge.filter(|_| agreement.agrees);
+        return edge.map(of_edge).into_iter().collect();
     }
     if agreement.zero {
         return vec![Finding {
@@ -205,6 +206,20 @@ fn of_moved(ticks: f64) -> Finding {
                 .to_owned(),
             false => "check where positions are counted from, and that nothing is added to the force".to_owned(),
         },
+    }
+}
+
+/// Of forces that are those of the law but for half of their last digit, always to the same side: those of a wall that is moved
+/// by so many ticks may be, as they are where whole numbers are commanded.
+fn of_edge(ticks: f64) -> Finding {
+    let moved = of_moved(ticks);
+    Finding {
+        says: format!(
+            "all forces are off the wall's law by half of their last digit, to the same side: they were rounded to that side, or {}",
+            moved.says
+        ),
+        fix: format!("log the force with more digits; {}", moved.fix),
+        ..moved
     }
 }
 

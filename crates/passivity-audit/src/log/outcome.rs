@@ -416,6 +416,7 @@ impl Agreement {
             },
             fit: comparison.fit(),
             difference: comparison.difference(),
+            edge: comparison.edge(),
             rounding: Some(comparison.rounding()).filter(|by| by.is_finite()),
         })
     }

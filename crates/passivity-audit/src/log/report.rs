@@ -266,6 +266,9 @@ pub struct Agreement {
     /// How much of that their last digits can be.
     #[serde(skip)]
     pub rounding: Option<f64>,
+    /// By how much all forces are off the law where that is half of their last digit, always to the same side, in KΔ.
+    #[serde(skip)]
+    pub edge: Option<f64>,
 }
 
 /// A delay and a sign.

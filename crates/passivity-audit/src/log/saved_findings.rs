@@ -30,6 +30,7 @@ struct SavedComparison {
     roundings: Option<String>,
     lags: Vec<SavedAgreement>,
     acting: u64,
+    edges: [u64; 2],
     unlike: Option<[String; 2]>,
 }
 
@@ -131,6 +132,7 @@ impl SavedFindings {
                     })
                     .collect(),
                 acting: found.unlike.acting,
+                edges: found.unlike.edges,
                 unlike: found
                     .unlike
                     .sums
@@ -169,6 +171,7 @@ impl SavedFindings {
                 .flatten()
                 .chain(left_out)
                 .chain([found.compared, found.acting])
+                .chain(found.edges)
         });
         counted(
             compared
@@ -186,6 +189,7 @@ impl SavedFindings {
                 found.roundings = exact_sum(&saved.roundings)?;
                 found.unlike = Unlike {
                     acting: saved.acting,
+                    edges: saved.edges,
                     sums: match &saved.unlike {
                         Some([forces, laws]) => Some([whole(forces)?, whole(laws)?]),
                         None => None,

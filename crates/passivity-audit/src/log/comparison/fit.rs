@@ -86,6 +86,22 @@ impl Comparison {
         (is_finite && is_of_a_wall && fit.scale > 0.0).then_some(fit)
     }
 
+    /// By how much all forces are off the law at the scene's delay where that is half of their last digit, to the same side.
+    pub(crate) fn edge(&self) -> Option<f64> {
+        let [above, below] = self.unlike.edges;
+        let (count, sign) = if above > below {
+            (above, 1.0)
+        } else {
+            (below, -1.0)
+        };
+        if count < FEW || count < self.unlike.acting || above.min(below) > 0 {
+            return None;
+        }
+        #[expect(clippy::cast_precision_loss, reason = "a log has fewer rows than 2⁵³")]
+        let mean = (self.roundings.value() / self.compared as f64).sqrt();
+        Some(sign * mean)
+    }
+
     /// Σ f² of the rows that are compared at a lag.
     fn squares_at(&self, lag: usize) -> f64 {
         let left_out = self.lags.get(lag).map_or(0.0, |lag| {

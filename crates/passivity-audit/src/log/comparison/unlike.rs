@@ -1,8 +1,9 @@
-//! Sums over the forces that are not those of the law: by these a wall that is moved is told from another stiffness.
+//! Sums over the forces that are not those of the law: by these a wall that is moved is told from another stiffness. And how many
+//! forces are those of the law but for half of their last digit: where all are, to the same side, it may be moved by so much.
 
 use multiversion::multiversion;
 
-use super::differs;
+use super::{ABSOLUTE, RELATIVE, differs};
 use crate::ball::split;
 use crate::log::exact::power;
 
@@ -22,6 +23,8 @@ const ROWS: usize = 1 << 12;
 pub(crate) struct Unlike {
     /// How many rows the law has a force in.
     pub(crate) acting: u64,
+    /// How many are above those of the law by half of their last digit, and how many below.
+    pub(crate) edges: [u64; 2],
     /// The forces, and those of the law, over the rows that are not alike, in 2⁻⁵⁰ KΔ; `None` where one has no
     /// room.
     pub(crate) sums: Option<[i128; 2]>,
@@ -31,6 +34,7 @@ impl Default for Unlike {
     fn default() -> Self {
         Self {
             acting: 0,
+            edges: [0; 2],
             sums: Some([0; 2]),
         }
     }
@@ -41,16 +45,24 @@ impl Unlike {
     pub(super) fn take(&mut self, forces: &[f64], law: &[f64], rounding: &[f64]) {
         let columns = forces.chunks(ROWS).zip(law.chunks(ROWS));
         for ((forces, law), rounding) in columns.zip(rounding.chunks(ROWS)) {
+            let edges = edges(forces, law, rounding);
             let (acting, sums, has_room) = sums(forces, law, rounding);
             let both = |[upper, lower]: [i64; 2]| (i128::from(upper) << LOWER) + i128::from(lower);
             let sums = has_room.then(|| sums.map(both));
-            self.append(Self { acting, sums });
+            self.append(Self {
+                acting,
+                edges,
+                sums,
+            });
         }
     }
 
     /// Goes on with other rows.
     pub(super) fn append(&mut self, other: Self) {
         self.acting += other.acting;
+        for (own, other) in self.edges.iter_mut().zip(other.edges) {
+            *own += other;
+        }
         let both = self.sums.zip(other.sums);
         // There are not as many rows as to overflow.
         self.sums = both.map(|([a, b], [c, d])| [a.wrapping_add(c), b.wrapping_add(d)]);
@@ -62,6 +74,21 @@ impl Unlike {
         let unit = 1.0 / power(UPPER + LOWER);
         self.sums.map(|sums| sums.map(|sum| sum as f64 * unit))
     }
+}
+
+/// How many forces are half of their last digit above those of the law, and how many below.
+#[multiversion(targets("x86_64+avx512f+avx512vl", "x86_64+avx2"))]
+fn edges(forces: &[f64], law: &[f64], rounding: &[f64]) -> [u64; 2] {
+    let mut found = [0_u64; 2];
+    for ((force, law), rounding) in forces.iter().zip(law).zip(rounding) {
+        // Of as many digits as a double has the last one is noise.
+        let noise = RELATIVE * law.abs() + ABSOLUTE;
+        let off = force - law;
+        let is_half = (*rounding > 4.0 * noise) & ((off.abs() - rounding).abs() <= noise);
+        found[0] = found[0].wrapping_add(u64::from(is_half & (off > 0.0)));
+        found[1] = found[1].wrapping_add(u64::from(is_half & (off < 0.0)));
+    }
+    found
 }
 
 /// How many rows the law has a force in, the sums over those that are not alike, and whether all have room.

@@ -243,3 +243,44 @@ fn nothing_is_said_of_the_forces_of_no_row() {
     let text = said("tau,count,f\n0,0,0\nx,1,0\n", &scene(delayed));
     assert!(text.contains("so none is compared"), "{text}");
 }
+
+/// Forces that are half of their last digit off, always to the same side, agree with the law, and with that of a moved wall.
+#[test]
+fn a_wall_that_is_moved_by_half_of_the_last_digit_is_named() {
+    let counts = (0..40).map(|i| (12.0 * (f64::from(i) / 4.0).sin()).floor());
+    let counts: Vec<f64> = counts.collect();
+    let says = |force: &dyn Fn(f64) -> String| {
+        let mut csv = "count,f\n".to_owned();
+        for n in &counts {
+            writeln!(csv, "{n},{}", force(*n)).unwrap();
+        }
+        let audit = audited(&csv, &three_fifths());
+        let report = audit.report();
+        assert!(report.force.as_ref().unwrap().agrees);
+        let findings = report.findings.iter().map(|f| (f.kind, f.says.clone()));
+        findings.collect::<Vec<_>>()
+    };
+    for (force, way) in [
+        (
+            &(|n: f64| format!("{}", -n)) as &dyn Fn(f64) -> String,
+            "moved half a tick forward",
+        ),
+        (
+            &|n: f64| format!("{}", -n - 1.0),
+            "moved half a tick backward",
+        ),
+    ] {
+        let [(kind, says)] = &says(force)[..] else {
+            panic!("{way}: not one finding")
+        };
+        assert_eq!(*kind, "offset");
+        assert!(
+            says.starts_with("all forces are off the wall's law by half of") && says.ends_with(way),
+            "{says}"
+        );
+    }
+    // As they are, rounded to even numbers, and to zero.
+    assert!(says(&|n| format!("{}", -n - 0.5)).is_empty());
+    assert!(says(&|n| format!("{:.0}", -n - 0.5)).is_empty());
+    assert!(says(&|n| format!("{:.0}", (-n - 0.5).trunc())).is_empty());
+}
