@@ -100,6 +100,41 @@ fn a_request_asks_for_bounded_work_for_its_length() {
     }
 }
 
+/// A matrix of joints that act on each other is eliminated for every limit of each of them.
+#[test]
+fn a_check_of_many_joints_asks_for_bounded_work() {
+    let check = |joints: usize, tolerance: &str| {
+        let joint = format!(
+            r#"{{"viscous": "1e-3 N m s/rad{tolerance}", "coulomb": "1e-2 N m", "max_speed": "1 rad/s"}}"#
+        );
+        let row = |i: usize| {
+            let entry = |j: usize| match i == j {
+                true => r#""1000 N m/rad""#.to_owned(),
+                false => format!(r#""{}/997 N m/rad""#, 100 + i + j),
+            };
+            format!(
+                "[{}]",
+                (0..joints).map(entry).collect::<Vec<_>>().join(", ")
+            )
+        };
+        let rows: Vec<String> = (0..joints).map(row).collect();
+        ask(&format!(
+            r#"{{"op": "check", "scene": {{"joint": [{}], "sampling": {{"period": "1 ms"}},
+                "wall": {{"stiffness_matrix": [{}]}}}}}}"#,
+            vec![joint; joints].join(", "),
+            rows.join(", ")
+        ))
+    };
+    let start = std::time::Instant::now();
+    let answer = check(12, "");
+    assert!(answer.contains(r#""kind": "too_much_work""#), "{answer}");
+    assert!(start.elapsed() < std::time::Duration::from_secs(2));
+    for (joints, tolerance) in [(6, " ± 10%"), (7, "")] {
+        let answer = check(joints, tolerance);
+        assert!(answer.contains(r#""verdict":"#), "{answer}");
+    }
+}
+
 /// Tolerances of filtered damping behind a delay are decided in pieces: up to some, and not behind a long one.
 #[test]
 fn a_check_asks_for_bounded_work() {

@@ -8,9 +8,9 @@ use passivity_audit::number::{Number, Written};
 use passivity_audit::{Ledger, Reading};
 use passivity_core::linear_part::MOST_DEGREE;
 use passivity_core::{BigRational, Interval, Loop, Parameter};
-use passivity_scene::AnyScene;
 use passivity_scene::json::read_rational;
 use passivity_scene::number::nearest_f64;
+use passivity_scene::{AnyScene, Given, JointScene};
 use serde_json::Value;
 
 use super::{At, Refusal};
@@ -106,8 +106,9 @@ pub(super) fn of_costs(dimensionless: &Loop<Interval<BigRational>>) -> u64 {
 /// The steps of a check of a linear loop whose costs are computed: many decisions by polynomials of the same degree, at both ends
 /// of each tolerance, and with a filter in many pieces.
 pub(super) fn of_check(scene: &AnyScene) -> u64 {
-    let AnyScene::One(scene) = scene else {
-        return 0;
+    let scene = match scene {
+        AnyScene::One(scene) => scene,
+        AnyScene::Joints(scene) => return of_joints(scene),
     };
     let given = &scene.given;
     let degree = usize::from(given.delay) + 2;
@@ -139,6 +140,24 @@ pub(super) fn of_check(scene: &AnyScene) -> u64 {
     degree
         .saturating_pow(2)
         .saturating_mul(pieces * ends * words)
+}
+
+/// The steps of a check of several joints, as measured: each of the limits of every joint is sought by eliminations of the
+/// matrix of their frictions, whose numbers grow, or along a direction by sums.
+fn of_joints(scene: &JointScene) -> u64 {
+    let n = u64::try_from(scene.motions.len()).unwrap_or(u64::MAX);
+    let rows = scene.given.shape.rows();
+    let entries = rows.iter().flatten().filter_map(|x| x.enclosure(64));
+    let bits = entries.map(|x| x.lo().numer().bits() + x.lo().denom().bits());
+    let bits = bits.max().unwrap_or_default();
+    let has_tolerance = scene.given.places().any(|place| {
+        let given = scene.given.get(place);
+        given.is_some_and(Given::has_tolerance)
+    });
+    let power = if scene.has_matrix() { 4 } else { 3 };
+    let times = if has_tolerance { 60 } else { 20 };
+    let of_numbers = (16 + bits) * (1 + bits / 1024);
+    n.saturating_pow(power).saturating_mul(times * of_numbers)
 }
 
 /// The steps of a check with a digital controller, as measured: those of polynomials whose degree it makes with the delay, or
