@@ -391,3 +391,20 @@ fn a_picture_has_something_to_draw() {
     assert!(run.stderr.contains("nothing to draw"), "{}", run.stderr);
     assert!(dir.path("rows.csv").exists() && !dir.path("motion.svg").exists());
 }
+
+#[test]
+fn an_axis_is_no_longer_than_numbers_tell_apart() {
+    let dir = folder();
+    dir.write(
+        "far.csv",
+        "stiffness [N m/rad],rate [Hz],stable\n1e308,1000,stable\n",
+    );
+    for (more, says) in [
+        ("--x 0:1e400", "--x `0:1e400`: expected TO up to 1.8e308"),
+        ("--x 1e-200:1e200", "say less of it with --x FROM:TO"),
+        ("--measured far.csv", "say less of it with --x FROM:TO"),
+    ] {
+        let command = format!("plane device.toml --axes stiffness,rate --plot far.svg {more}");
+        refused(&dir, &command, says);
+    }
+}

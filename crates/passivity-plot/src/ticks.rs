@@ -134,7 +134,8 @@ fn is_inside(extent: &Extent, at: f64) -> bool {
 
 /// Ticks at powers of ten and at what is between: first about as many as are wanted, then more.
 fn logarithmic(extent: &Extent, wanted: f64) -> impl Iterator<Item = Vec<Tick>> {
-    let decades = (extent.to / extent.from).log10();
+    // Of two doubles the quotient may be none.
+    let decades = extent.to.log10() - extent.from.log10();
     // Every so many decades, where even these are too many.
     let most = (decades / wanted).ceil();
     let every = std::iter::successors(Some(most), |every| Some((every / 2.0).floor()));
@@ -187,6 +188,12 @@ mod tests {
     fn labels(extent: &Extent, pixels: f64) -> Vec<String> {
         let all = labelled(extent, Along::Page(pixels)).into_iter();
         all.map(|tick| tick.label).collect()
+    }
+
+    #[test]
+    fn an_axis_over_all_doubles_has_ticks() {
+        let all = extent(f64::MIN_POSITIVE, f64::MAX, true);
+        assert!(labelled(&all, Along::Page(540.0)).len() >= 2);
     }
 
     #[test]

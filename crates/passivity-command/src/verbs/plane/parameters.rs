@@ -177,7 +177,11 @@ fn window_of(
             Some([Some(from), Some(_)]) if from < 0.0 => Err(Failure::input(format!(
                 "{option} `{text}`: expected FROM not below zero, as in 0:2.5"
             ))),
-            Some([Some(from), Some(to)]) => Ok(Some([from, to])),
+            Some([Some(from), Some(to)]) if to.is_finite() => Ok(Some([from, to])),
+            Some([Some(_), Some(_)]) => Err(Failure::input(format!(
+                "{option} `{text}`: expected TO up to {:.1e}",
+                f64::MAX
+            ))),
             _ => Err(Failure::input(format!(
                 "{option} `{text}`: expected FROM:TO, as in 0:2.5"
             ))),
@@ -197,7 +201,17 @@ fn window_of(
                 .map(move |number| (&scenes[*number], &family.plane))
         })
         .collect();
-    window(&planes, points, &asked).map_err(Failure::input)
+    let window = window(&planes, points, &asked).map_err(Failure::input)?;
+    for (option, axis) in ["--x", "--y"].into_iter().zip(&window) {
+        if !axis.to.is_finite() || (axis.log && !(axis.to / axis.from).is_finite()) {
+            return Err(Failure::input(format!(
+                "an axis from {:e} to {:e} is longer than numbers tell apart: say less of it with {option} FROM:TO, as \
+                 in 1:100, and leave out measured points that are far from it",
+                axis.from, axis.to
+            )));
+        }
+    }
+    Ok(window)
 }
 
 /// Finds the regions of every family, all at once.
