@@ -122,6 +122,17 @@ re35: the stiffest wall in N m/rad that is passive at every speed up to 3 rad/s
 }
 
 #[test]
+fn a_list_that_cannot_be_read_is_named() {
+    let dir = Dir::new();
+    let scene = dir.write("re35.toml", RE35);
+    for option in ["--rates", "--encoders"] {
+        let run = dir.run(&["design", &scene, option, "0 ?"]);
+        assert_eq!(run.code, 2);
+        assert!(run.stderr.contains(option), "{}", run.stderr);
+    }
+}
+
+#[test]
 fn the_table_of_a_scene_without_units_is_in_its_own_stiffness() {
     let dir = Dir::new();
     let scene = dir.write(

@@ -136,7 +136,11 @@ fn what_cannot_be_taken_up_or_written_is_said() {
         assert_eq!(std::fs::read(dir.path("grid.csv")).expect("the file"), text);
     }
     for (args, expected) in [
-        (args(&scene, "1:0", "1"), "range `1:0`"),
+        (args(&scene, "1:0", "1"), "--beta: range `1:0`"),
+        (
+            args(&scene, "1", "nan"),
+            "--sigma: range `nan`: `nan` is not a number",
+        ),
         (args(&scene, "-1", "1"), "β = -1"),
         (
             args(&scene, "1,1e400", "1"),

@@ -266,6 +266,26 @@ fn no_file_of_others_is_lost_beside_a_sweep() {
     }
 }
 
+#[test]
+fn rows_take_the_place_of_no_file_of_others() {
+    let dir = folder();
+    assert_eq!(sweep(&dir, "--shard 1/1 --out part.csv").code, 0);
+    for out in ["notes.csv", "notes.parquet"] {
+        dir.write(out, "time,note\n1,important\n");
+        for way in ["", "--shard 1/1", "--merge part.csv"] {
+            let says = format!("`{out}`: the rows of a sweep would take the place of this file");
+            refused(&sweep(&dir, &format!("{way} --out {out}")), &says);
+            assert_eq!(read(&dir, out), "time,note\n1,important\n", "{way}");
+        }
+    }
+    // Rows of any sweep make room, and what has another name stays as it was.
+    let old = "beta,sigma,speed,paper,exact,at_interval,xi,velocity\n9.0,";
+    dir.write("old.csv", old);
+    std::fs::hard_link(dir.path("old.csv"), dir.path("new.csv")).expect("a second name");
+    assert_eq!(sweep(&dir, "--out new.csv").code, 0);
+    assert_eq!(read(&dir, "old.csv"), old);
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn rows_that_find_no_room_in_order_are_taken_up() {

@@ -38,6 +38,15 @@ pub(crate) fn may_be_written(
             ));
         }
         // Work that takes minutes is not begun for a folder that is not there, or that takes no file.
+        let folder = output
+            .parent()
+            .filter(|folder| !folder.as_os_str().is_empty());
+        if let Some(folder) = folder.filter(|folder| !folder.exists()) {
+            return refuse(format!(
+                "there is no folder `{}` for {option}",
+                folder.display()
+            ));
+        }
         let made = Output::create(output).map(drop);
         made.map_err(|error| Failure::io(output.display(), &error))?;
         if let Some((other, _)) = before.iter().find(|(_, path)| are_same(path, output)) {

@@ -65,8 +65,11 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
             "the scene has no encoder that another could stand for: give it an [encoder]",
         ));
     }
-    let design = check::design(&scene, &args.rates, &args.encoders)
-        .map_err(|error| Failure::Scene(error.render(look())))?;
+    let design = check::design(&scene, &args.rates, &args.encoders).map_err(|error| {
+        let of_rates = check::design(&scene, &args.rates, &[]).is_err();
+        let option = if of_rates { "--rates" } else { "--encoders" };
+        Failure::Scene(format!("{option}: {}", error.render(look())))
+    })?;
     match args.format {
         TableFormat::Text => emit(&design.to_text())?,
         TableFormat::Json => emit_json(&design)?,

@@ -46,14 +46,17 @@ impl Asked<'_> {
                     scene.name
                 )));
             }
+            let range = |option: &str, text: &str| {
+                Range::parse(text).map_err(|error| SimError::Method(format!("{option}: {error}")))
+            };
             let speed = match self.speed {
-                Some(text) => Range::parse(text)?,
+                Some(text) => range("--speed", text)?,
                 None => {
                     let [_, velocity] = point.start();
                     Range::from(vec![velocity])
                 }
             };
-            return Grid::new(Range::parse(beta)?, Range::parse(sigma)?, speed);
+            return Grid::new(range("--beta", beta)?, range("--sigma", sigma)?, speed);
         }
         if self.beta.or(self.sigma).or(self.speed).is_some() {
             let expected = "expected values of β and σ, or parameters of the scene to vary";

@@ -22,7 +22,6 @@ pub(super) fn header(grid: &Grid) -> String {
 }
 
 /// Whether a text begins with the header of some sweep.
-#[cfg(feature = "parquet")]
 pub(super) fn begins_with_header(text: &[u8]) -> bool {
     let line = text.split(|byte| *byte == b'\n').next();
     line.is_some_and(|line| line.trim_ascii_end().ends_with(OUTCOMES.as_bytes()))

@@ -34,8 +34,20 @@ pub(super) fn plain(path: &Path) -> Result<(), SimError> {
     may_be_replaced(path).map_err(|error| failed(path, &error))
 }
 
-/// Refuses to lose a file beside a sweep which does not begin as that of a sweep does. An empty one is no loss.
-pub(super) fn is_own(path: &Path, begins: impl Fn(&[u8]) -> bool) -> Result<(), SimError> {
+/// Why a file beside a sweep that no sweep wrote is not replaced.
+pub(super) const BESIDE: &str = "a sweep writes a file of this name beside its own, and would lose this one, which no sweep \
+                                 wrote: move it away, or give another --out";
+
+/// Why one where the rows are to be is not replaced.
+pub(super) const OTHER: &str = "the rows of a sweep would take the place of this file, which no sweep wrote: move it away, or \
+                                give another --out";
+
+/// Refuses, and says why, to lose a file which does not begin as that of a sweep does. An empty one is no loss.
+pub(super) fn is_own(
+    path: &Path,
+    why: &str,
+    begins: impl Fn(&[u8]) -> bool,
+) -> Result<(), SimError> {
     // As much as a header may have.
     const START: u64 = 1 << 16;
     let mut start = Vec::new();
@@ -44,13 +56,6 @@ pub(super) fn is_own(path: &Path, begins: impl Fn(&[u8]) -> bool) -> Result<(), 
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
         Err(error) => Err(failed(path, &error)),
         Ok(_) if start.is_empty() || begins(&start) => Ok(()),
-        Ok(_) => Err(foreign(path)),
+        Ok(_) => Err(failed(path, &why)),
     }
-}
-
-/// The error of a file that would be lost.
-pub(super) fn foreign(path: &Path) -> SimError {
-    let message = "a sweep writes a file of this name beside its own, and would lose this one, which no sweep wrote: \
-                   move it away, or give another --out";
-    failed(path, &message)
 }

@@ -17,12 +17,13 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use passivity_scene::Point;
+use passivity_scene::files::Output;
 
 use crate::error::SimError;
 use crate::sweep::csv;
 #[cfg(feature = "parquet")]
-use crate::sweep::disk::{ROWS, is_own};
-use crate::sweep::disk::{RUN, failed, plain, with_suffix};
+use crate::sweep::disk::ROWS;
+use crate::sweep::disk::{BESIDE, OTHER, RUN, failed, is_own, plain, with_suffix};
 use crate::sweep::form::{Form, Writer};
 use crate::sweep::grid::Grid;
 use crate::sweep::lock::Lock;
@@ -75,19 +76,18 @@ fn journal(path: &Path, form: Form) -> PathBuf {
     }
 }
 
-/// Refuses to replace the rows of a sweep that was left unfinished, or that another process is at, and a file beside
-/// them that no sweep wrote.
+/// Refuses to replace the rows of a sweep that was left unfinished, or that another process is at, and a file that no
+/// sweep wrote, there or beside them.
 pub(super) fn spare_others(path: &Path, form: Form) -> Result<(), SimError> {
     spare(path)?;
     let mark = marker(path);
-    if !mark.exists() {
-        return Ok(());
+    if mark.exists() {
+        let said = Lock::take(path, &mark)?.read()?;
+        if !said.is_empty() && journal(path, form).exists() {
+            return Err(unfinished(path));
+        }
     }
-    let said = Lock::take(path, &mark)?.read()?;
-    match !said.is_empty() && journal(path, form).exists() {
-        true => Err(unfinished(path)),
-        false => Ok(()),
-    }
+    is_own(path, OTHER, |start| form.begins(start))
 }
 
 fn unfinished(path: &Path) -> SimError {
@@ -159,9 +159,10 @@ fn open_as(
         .as_mut()
         .map_or_else(|| Ok(String::new()), Lock::read)?;
     let is_begun = is_only_begun(&journal, grid)?;
-    #[cfg(feature = "parquet")]
     if journal != path {
-        is_own(&journal, |start| is_begun || csv::begins_with_header(start))?;
+        is_own(&journal, BESIDE, |start| {
+            is_begun || csv::begins_with_header(start)
+        })?;
     }
     // A start that was killed may not have said all.
     let is_unfinished = journal.exists()
@@ -171,6 +172,9 @@ fn open_as(
         };
     if is_unfinished && !resume {
         return Err(unfinished(path));
+    }
+    if !resume {
+        is_own(path, OTHER, |start| is_begun || form.begins(start))?;
     }
     let mut rows = Rows {
         path: path.to_owned(),
@@ -194,7 +198,7 @@ fn open_as(
         return Ok(Opened { rows, done });
     }
     if resume && !is_begun && rows.journal.exists() {
-        return Err(unbound(&rows.journal, "it has rows"));
+        return Err(unbound(path, "there are rows beside it"));
     }
     rows.start(&mark, &fingerprint(scene, grid, shard), grid)?;
     Ok(Opened {
@@ -224,9 +228,13 @@ impl Rows {
         };
         let journal = &self.journal;
         forget(&self.path)?;
-        let mut file = File::create(journal).map_err(|error| failed(journal, &error))?;
-        let written = writeln!(file, "{}", csv::header(grid)).and_then(|()| file.sync_all());
-        written.map_err(|error| failed(journal, &error))?;
+        // In place of what had the name, so that another name of that keeps it.
+        let begun = Output::create(journal).and_then(|mut file| {
+            writeln!(file, "{}", csv::header(grid))?;
+            file.keep()?;
+            OpenOptions::new().append(true).open(journal)
+        });
+        let file = begun.map_err(|error| failed(journal, &error))?;
         lock.write(print)?;
         self.file = Some(file);
         self.lock = Some(lock);

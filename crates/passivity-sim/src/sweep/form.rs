@@ -51,6 +51,15 @@ impl Form {
         }
     }
 
+    /// Whether a file that begins so may be one of rows.
+    pub(super) fn begins(self, start: &[u8]) -> bool {
+        match self {
+            Self::Csv => csv::begins_with_header(start),
+            #[cfg(feature = "parquet")]
+            Self::Parquet => start.starts_with(b"PAR1"),
+        }
+    }
+
     /// The error at a row, from 0.
     pub(super) fn at(self, path: &Path, row: usize, what: &str) -> SimError {
         match self {

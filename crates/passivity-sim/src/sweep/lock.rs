@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use passivity_scene::files::sync_folder;
 
 use crate::error::SimError;
-use crate::sweep::disk::{failed, foreign};
+use crate::sweep::disk::{BESIDE, failed};
 
 /// How it begins, whichever sweep it is of.
 const SWEEP: &[u8] = b"passivity sweep ";
@@ -53,7 +53,7 @@ impl Lock {
         // One that was being written may not say all.
         match text.starts_with(SWEEP) || SWEEP.starts_with(&text) {
             true => Ok(String::from_utf8_lossy(&text).into_owned()),
-            false => Err(foreign(&self.mark)),
+            false => Err(failed(&self.mark, &BESIDE)),
         }
     }
 

@@ -7,7 +7,7 @@ use passivity_scene::{Point, files};
 use serde::{Deserialize, Serialize};
 
 use crate::error::SimError;
-use crate::sweep::disk::{MANIFEST, failed, is_own, with_suffix};
+use crate::sweep::disk::{BESIDE, MANIFEST, failed, is_own, with_suffix};
 use crate::sweep::form::Form;
 use crate::sweep::grid::Grid;
 #[cfg(feature = "parquet")]
@@ -156,7 +156,7 @@ impl Manifest {
 /// Refuses to lose a file that says something else.
 pub(super) fn spare(path: &Path) -> Result<(), SimError> {
     let says = |text: &[u8]| text.starts_with(b"{\"format\": \"passivity-sweep-shard-");
-    is_own(&beside(path), says)
+    is_own(&beside(path), BESIDE, says)
 }
 
 /// Removes what is said of a file that is replaced.

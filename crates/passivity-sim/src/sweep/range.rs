@@ -122,7 +122,17 @@ impl Range {
     pub fn parse(text: &str) -> Result<Self, SimError> {
         let fail = |what: String| SimError::Method(format!("range `{text}`: {what}"));
         let number = |part: &str| {
-            number::parse(part.trim()).map_err(|error| fail(format!("`{}`: {error}", part.trim())))
+            let part = part.trim();
+            number::parse(part).map_err(|error| {
+                let error = error.to_string();
+                // Once is enough where it is the whole range, or the reason has it.
+                let is_named = part == text || error.contains(&format!("`{part}`"));
+                fail(if is_named {
+                    error
+                } else {
+                    format!("`{part}`: {error}")
+                })
+            })
         };
         let parts: Vec<&str> = text.split(':').collect();
         match parts.as_slice() {

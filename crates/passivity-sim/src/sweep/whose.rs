@@ -75,8 +75,9 @@ pub(super) fn of_another(path: &Path, form: Form, asked: &Manifest) -> Option<Si
 
 /// The error of rows that nothing says the sweep of.
 pub(super) fn unbound(path: &Path, why: &str) -> SimError {
-    let message =
-        format!("{why}, and no file `.run` says of which sweep it is: remove it to start anew");
+    let message = format!(
+        "{why}, and no file `.run` beside it says of which sweep it is: leave out --resume to start anew"
+    );
     failed(path, &message)
 }
 

@@ -365,7 +365,7 @@ fn rows_are_taken_up_by_their_own_sweep_only_wherever_a_start_was_killed() {
         // A start that was killed before its mark was there leaves no rows that it could be given.
         fs::remove_file(&mark).unwrap();
         let error = found(&path, &other, &grid).unwrap_err().to_string();
-        assert!(error.contains("no file `.run` says"), "{error}");
+        assert!(error.contains("no file `.run` beside it says"), "{error}");
         // Where the mark cannot be written, what was there stays.
         fs::remove_file(&journal).unwrap();
         if path.exists() {
