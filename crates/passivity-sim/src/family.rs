@@ -41,7 +41,8 @@ impl Family {
         let the_loop = in_doubles(point)?;
         the_loop.inertia.ok_or(SimError::NoInertia)?;
         let controller = controller_in_doubles(&point.at)?;
-        let least = least_holding_force(&law::controller(&point.at, BigRational::clone)?);
+        let exact = law::controller(&point.at, BigRational::clone)?;
+        let least = least_holding_force(&exact);
         let sigma = point.at.coulomb_friction();
         let [least_holding_force, nearest] = [&least, &sigma].map(to_double);
         let [position, _] = point.start();
@@ -51,7 +52,7 @@ impl Family {
         Ok(Self {
             the_loop,
             effects: effects.filter(|effect| point.has(*effect)).collect(),
-            law: HeldForce::compile(&controller)?,
+            law: HeldForce::compile(&controller)?.with_whole_steps(&exact),
             controller,
             forces: match &point.forces {
                 Some(samples) => Some(Forces::new(samples)?),

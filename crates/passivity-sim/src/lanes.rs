@@ -21,7 +21,7 @@ mod law;
 use multiversion::multiversion;
 
 use crate::flow::Kind as Motion;
-use crate::law::{ENCODER, HeldForce};
+use crate::law::HeldForce;
 use crate::outcome::{End, ExactOutcome, Stop};
 use crate::phi;
 use crate::plan::{Plain, Plan};
@@ -84,6 +84,15 @@ impl Work {
             (Kind::Law(laws), true) => law::stretch::<true>(batch, laws, points, intervals),
             (Kind::Late(late), _) => late::stretch(batch, late, points, intervals),
             (Kind::Flow(flows), _) => flow::stretch(batch, flows, points, intervals),
+        }
+        let laws = match &mut self.kind {
+            Kind::Plain => None,
+            Kind::Law(laws) => Some(&mut **laws),
+            Kind::Late(late) => Some(&mut late.laws),
+            Kind::Flow(flows) => Some(&mut flows.laws),
+        };
+        if let Some(nearest) = laws.and_then(Laws::take_nearest) {
+            batch.edges.nearest = nearest;
         }
         batch.edges.settle(intervals);
     }
@@ -363,8 +372,7 @@ fn end_in(batch: &Batch, lane: usize, plan: &Plan) -> End {
         Stop::Rest(count - plan.law.forgets_after())
     };
     let end = run::end(plan, stop, count, xi, velocity);
-    // Without an encoder there are no edges.
-    if batch.edges.near[lane] > 0.0 && plan.law.has(ENCODER) {
+    if batch.edges.near[lane] > 0.0 && plan.law.has_edges() {
         run::look_closely(plan, end)
     } else {
         end

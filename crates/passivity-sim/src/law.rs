@@ -5,6 +5,8 @@
 //! the same order: sample, delay, filter, one-sided wall, D/A converter, actuator. A test holds all
 //! of them against it.
 
+mod jumps;
+
 use std::cmp::Ordering;
 
 use num_bigint::BigInt;
@@ -36,13 +38,15 @@ pub(crate) fn controller<R>(
     Ok(exact.map(of))
 }
 
+/// Up to it doubles are all the whole numbers.
+const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
+
 /// The controller of a dimensionless loop in doubles; δ is over 1 where a double has not enough digits
 /// for its numerator or denominator.
 pub(crate) fn controller_in_doubles(
     dimensionless: &Loop<BigRational>,
 ) -> Result<Controller<Double>, SimError> {
     let mut controller = controller(dimensionless, |x| Double::from(x))?;
-    const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
     if let (Some(parts), Some(delta)) = (&mut controller.force_step, &dimensionless.force_step)
         && parts.iter().any(|x| x.0 > LARGEST_WHOLE)
     {
@@ -121,11 +125,21 @@ pub(crate) struct HeldForce {
     pub(crate) force_step: [f64; 2],
     /// The largest force, in KΔ.
     pub(crate) max_force: f64,
+    /// δ over q and over the damping's displacement, see [`HeldForce::with_whole_steps`].
+    pub(crate) whole: [f64; 3],
+    /// How many times an error of all samples that of the force may be.
+    amplified: f64,
+    /// See [`HeldForce::rounding`].
+    rounding: f64,
 }
 
 /// What a controller remembers from sample to sample.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Memory {
+    /// How near to a jump of the law a sample has come, see [`HeldForce::off_jump`].
+    nearest: f64,
+    /// The greatest |q| of its samples.
+    reach: f64,
     /// The last k samples, a ring.
     line: Vec<f64>,
     next: usize,
@@ -149,6 +163,11 @@ impl Memory {
             .copied()
             .chain([self.previous])
     }
+
+    /// How near to a jump of the law its samples have come since this was asked before.
+    pub(crate) const fn take_nearest(&mut self) -> f64 {
+        std::mem::replace(&mut self.nearest, f64::INFINITY)
+    }
 }
 
 /// A law: the held force of a sample at ξ, in KΔ.
@@ -170,6 +189,9 @@ impl HeldForce {
             forgets_after: Some(0),
             force_step: [0.0, 1.0],
             max_force: 0.0,
+            whole: [1.0, 0.0, 1.0],
+            amplified: 1.0,
+            rounding: 0.0,
         }
     }
 
@@ -202,7 +224,7 @@ impl HeldForce {
         ];
         let present = effects.iter().filter(|(there, _)| *there);
         let without = Self::encoder();
-        Ok(Self {
+        let law = Self {
             effects: present.fold(0, |set, (_, bit)| set | bit),
             delay: controller.delay,
             damping: damping.unwrap_or(without.damping),
@@ -215,10 +237,18 @@ impl HeldForce {
                 .force_step
                 .map_or(without.force_step, |step| step.map(|x| x.0)),
             max_force: controller.max_force.map_or(without.max_force, |x| x.0),
+            ..without
+        };
+        let [numerator, denominator] = law.force_step;
+        Ok(Self {
+            amplified: 1.0 + 2.0 * law.gain(),
+            rounding: law.rounding(),
+            whole: [denominator, law.damping * denominator, numerator],
+            ..law
         })
     }
 
-    /// Whether an effect is in the set.
+    /// Whether an effect is in the set, or one of several.
     pub(crate) const fn has(&self, effect: u8) -> bool {
         self.effects & effect != 0
     }
@@ -227,6 +257,8 @@ impl HeldForce {
     pub(crate) fn memory(&self, xi: f64) -> Memory {
         let sample = self.sample(xi);
         Memory {
+            nearest: f64::INFINITY,
+            reach: xi.abs(),
             line: vec![sample; if self.has(DELAY) { self.delay } else { 0 }],
             next: 0,
             previous: sample,
@@ -290,6 +322,11 @@ impl HeldForce {
         } else {
             self.damping.abs()
         }
+    }
+
+    /// How many times an error of all samples that of the force may be.
+    pub(crate) const fn amplified(&self) -> f64 {
+        self.amplified
     }
 
     /// Whether the force goes on changing at rest, on and on nearer to the settled one.
@@ -365,19 +402,34 @@ fn held<const E: u8>(law: &HeldForce, memory: &mut Memory, xi: f64) -> f64 {
         }
     }
     let mut force = q;
+    // As numerator and denominator, of the step.
+    let [numerator, denominator] = law.force_step;
+    let mut steps = [0.0, numerator];
     if E & FILTER != 0 {
         force = filtered(&law.filter, memory, q);
+        steps[0] = force * denominator;
     } else if E & DAMPING != 0 {
-        force += law.damping * (q - memory.previous);
+        let d = q - memory.previous;
+        force += law.damping * d;
         memory.previous = q;
+        let [of_q, of_d, whole] = law.whole;
+        steps = [q * of_q + d * of_d, whole];
+    } else {
+        steps[0] = force * denominator;
+    }
+    let jumps = E & FORCE_STEP != 0 || (E & UNILATERAL != 0 && E & (DAMPING | FILTER) != 0);
+    if E & ENCODER == 0 && jumps {
+        memory.reach = memory.reach.max(q.abs());
+        let off = law.off_jump(q, force, memory.reach);
+        memory.nearest = memory.nearest.min(off);
     }
     if E & UNILATERAL != 0 && q < 0.0 {
-        force = 0.0;
+        (force, steps[0]) = (0.0, 0.0);
     }
     let mut held = -force;
     if E & FORCE_STEP != 0 {
-        let [numerator, denominator] = law.force_step;
-        held = floor(held * denominator / numerator + 0.5) * numerator / denominator;
+        let [parts, whole] = steps;
+        held = floor(-parts / whole + 0.5) * numerator / denominator;
     }
     if E & SATURATION != 0 {
         held = held.clamp(-law.max_force, law.max_force);

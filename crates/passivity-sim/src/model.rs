@@ -4,6 +4,7 @@
 mod between;
 mod motion;
 mod part;
+mod steps;
 
 use std::cmp::Ordering;
 
@@ -21,12 +22,14 @@ use crate::number::{Real, Undecided};
 use crate::plan::Plan;
 use motion::Motion;
 use part::{Part, Way};
+use steps::Steps;
 
 /// A scene in the numbers of a method.
 #[derive(Clone, Debug)]
 pub(crate) struct Model<R> {
     dimensionless: Loop<R>,
     controller: Controller<R>,
+    steps: Option<Steps>,
     /// See [`law::forgets_after`].
     forgets_after: Option<u64>,
     /// Of the device.
@@ -171,9 +174,12 @@ impl<R: Real> Model<R> {
             parts = of_times.collect::<Result<_, SimError>>()?;
         }
         let controller = law::controller(&point.at, BigRational::clone)?;
+        let forgets_after = law::forgets_after(&controller);
+        let (steps, controller) = (Steps::of(&controller), controller.map(&of));
         Ok(Self {
-            forgets_after: law::forgets_after(&controller),
-            controller: controller.map(&of),
+            forgets_after,
+            steps,
+            controller,
             mass,
             parts,
             forces: point.forces.as_ref().map(|forces| Forces::new(forces, &of)),
@@ -202,9 +208,15 @@ impl<R: Real> Model<R> {
     ) -> Ended<R> {
         let [xi, velocity] = self.start.clone();
         let mut memory = self.controller.at_rest(&xi);
+        let mut steps = self.steps.clone();
+        let measured = self.controller.measured(&xi);
+        let settled = self.controller.settled(&measured);
+        let exactly = steps
+            .as_mut()
+            .and_then(|steps| steps.start(&measured, &self.controller));
         let mut state = State {
             // The amplifier has settled on what the controller commanded before the start.
-            output: self.controller.settled(&self.controller.measured(&xi)),
+            output: exactly.unwrap_or(settled),
             xi,
             velocity,
         };
@@ -217,7 +229,12 @@ impl<R: Real> Model<R> {
                 Ok(true) => return state.ended(Halt::Growing(h), h),
                 Err(Undecided) => return state.ended(Halt::Undecided(h), h),
             }
-            let Ok((rests, acting, output, row)) = self.interval(h, &state, earlier, &mut memory)
+            let mut held = self.controller.sample(&mut memory, &state.xi);
+            if let Some(steps) = &mut steps {
+                let measured = self.controller.measured(&state.xi);
+                held = steps.sample(&measured, &self.controller).unwrap_or(held);
+            }
+            let Ok((rests, acting, output, row)) = self.interval(h, &state, earlier, held, &memory)
             else {
                 return state.ended(Halt::Undecided(h), h);
             };
@@ -256,11 +273,12 @@ impl<R: Real> Model<R> {
         h: u64,
         state: &State<R>,
         earlier: Option<R>,
-        memory: &mut Memory<R>,
+        held: R,
+        memory: &Memory<R>,
     ) -> Result<(bool, Acting<R>, R, IntervalRow<R>), Undecided> {
         let acting = Acting {
             earlier,
-            held: self.controller.sample(memory, &state.xi).decided()?,
+            held: held.decided()?,
             force: self.force(h),
         };
         let remembered = [memory.samples.front(), memory.past.front()];

@@ -60,9 +60,10 @@ pub struct End {
     pub velocity: f64,
     /// The outcome.
     pub outcome: Outcome,
-    /// The first sample that rounding may have put on the wrong side of an encoder edge: the motion
-    /// from there on, and with it the outcome, may be another one. Null where no sample was so near to
-    /// an edge, and for the methods that decide every sample.
+    /// The first sample that rounding may have put on the wrong side of an edge: of an encoder's, or without one of
+    /// where the force jumps, at the surface of a wall with damping or between two steps of a D/A converter. The motion
+    /// from there on, and with it the outcome, may be another one. Null where no sample was so near to an edge, and for
+    /// the methods that decide every sample.
     pub within_rounding_of_edge: Option<u64>,
 }
 

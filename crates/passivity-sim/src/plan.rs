@@ -235,6 +235,12 @@ impl Plan {
         self.growth.words(self.length_unit)
     }
 
+    /// Where the held force jumps, in words: what a sample may be within rounding of. Empty where it follows the position.
+    #[must_use]
+    pub fn edge_words(&self) -> String {
+        self.law.edge_words()
+    }
+
     /// Whether nothing but the wall acts on the device.
     pub(crate) fn is_unforced(&self) -> bool {
         self.forces.as_ref().is_none_or(Forces::is_zero)

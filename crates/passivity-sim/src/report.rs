@@ -48,9 +48,10 @@ pub struct Simulation {
     pub last: State,
     /// What became of it.
     pub outcome: Outcome,
-    /// The first sample that rounding may have put on the wrong side of an encoder edge: the motion
-    /// from there on, and with it the outcome, may be another one. Null where no sample was so near to
-    /// an edge, and for the methods that decide every sample.
+    /// The first sample that rounding may have put on the wrong side of an edge: of an encoder's, or without one of
+    /// where the force jumps, at the surface of a wall with damping or between two steps of a D/A converter. The motion
+    /// from there on, and with it the outcome, may be another one. Null where no sample was so near to an edge, and for
+    /// the methods that decide every sample.
     pub within_rounding_of_edge: Option<u64>,
     /// Sums over the run.
     pub totals: Sums,
@@ -258,7 +259,7 @@ pub struct Sweep {
     pub exact: ExactCounts,
     /// How many points had each outcome by the paper's detector.
     pub paper: PaperCounts,
-    /// How many of the points that were simulated now have a sample within rounding of an encoder edge,
+    /// How many of the points that were simulated now have a sample within rounding of an edge, see [`Simulation`],
     /// from which on their motion may be another one.
     pub within_rounding_of_edge: usize,
     /// How long it took.

@@ -1,7 +1,8 @@
 //! How far rounding may have led a motion in doubles astray, and whether that is as far as an edge.
 //!
 //! As long as every sample was seen on its side of every encoder edge, the held forces are those of the
-//! motion itself. Two motions under the same force come nearer to each other in ξ̇, by e^(−λ) in an
+//! motion itself. (Without an encoder so are those of a D/A converter's steps; a force without steps follows the
+//! position, and what is taken for its error then is said in [`HeldForce::off_jump`](crate::law::HeldForce).) Two motions under the same force come nearer to each other in ξ̇, by e^(−λ) in an
 //! interval, because friction grows with the velocity, and in ξ part by φ₁ of what they differ in ξ̇. So
 //! the errors follow from those of single intervals, which are roundings: of ξ̇ a dozen, each by at most
 //! ½ε of a number below |ξ̇| + U/μ, U being the sum of the forces that act, and of the parameters, which
@@ -15,7 +16,6 @@
 
 mod coarse;
 
-use crate::law;
 use crate::number::MAGIC;
 use crate::plan::Plan;
 pub(crate) use coarse::{Coarse, Seen, Stretches};
@@ -24,7 +24,7 @@ pub(crate) use coarse::{Coarse, Seen, Stretches};
 pub(crate) const STRETCH: u32 = 64;
 
 /// The roundings of an interval, of |ξ̇| + U/μ.
-const EACH: f64 = 16.0 * f64::EPSILON;
+pub(crate) const EACH: f64 = 16.0 * f64::EPSILON;
 
 /// The same where the interval is led over by propagators and series.
 const EACH_FLOW: f64 = 4.0 * EACH;
@@ -35,7 +35,7 @@ const OF_POSITION: f64 = 2.0 * f64::EPSILON;
 /// Bounds of the errors of ξ and ξ̇, carried along with a motion.
 #[derive(Clone, Debug)]
 pub(crate) struct Rounding {
-    /// Of ξ; −∞ where no encoder asks for it.
+    /// Of ξ; −∞ where no edge asks for it.
     position: f64,
     /// Of ξ̇.
     velocity: f64,
@@ -61,6 +61,9 @@ struct Scene {
     lag: f64,
     /// What a controller's roundings amount to, of the greatest |ξ| + 1.
     law: f64,
+    /// How many samples before the present one was the one whose force may jump: with an encoder it is looked at
+    /// when it is taken.
+    late: u64,
 }
 
 /// What acts over an interval.
@@ -86,7 +89,7 @@ impl Rounding {
         let arm = arm.unwrap_or([0.0; 2]);
         let [damping, _] = arm;
         let mass = plan.mass();
-        let watched = plan.law.has(law::ENCODER);
+        let watched = plan.law.has_edges();
         Self {
             position: if watched {
                 plan.start_error
@@ -109,6 +112,11 @@ impl Rounding {
                 arm,
                 lag: rate.map_or(0.0, |rate| (-rate).exp()),
                 law: plan.law.rounding(),
+                late: if plan.law.jumps() {
+                    plan.law.delay as u64
+                } else {
+                    0
+                },
             },
         }
     }
@@ -119,10 +127,10 @@ impl Rounding {
         self
     }
 
-    /// Looks at a sample.
-    pub(crate) fn look(&mut self, h: u64, xi: f64) {
-        if off_edge(xi) < self.position {
-            self.found(h);
+    /// Looks at the sample whose force was commanded at h, so far off an edge.
+    pub(crate) fn look(&mut self, h: u64, off: f64) {
+        if off < self.position {
+            self.found(h.saturating_sub(self.scene.late));
         }
     }
 
@@ -183,6 +191,7 @@ impl Rounding {
             arm: [damping, stiffness],
             lag,
             law,
+            ..
         } = self.scene;
         self.reach = self.reach.max(from.abs()).max(xi.abs());
         let outputs = acting.held.abs() + acting.output.abs() + law * (self.reach + 1.0);

@@ -83,6 +83,13 @@ impl<F: FnMut(&Entry) -> bool> Watch for WithLedger<F> {
 trait Control {
     fn held(&mut self, xi: f64) -> f64;
     fn memory(&self) -> &Memory;
+
+    /// How near to an edge the samples since this was asked before were, of positions that were so `near` to
+    /// those of an encoder.
+    #[inline(always)]
+    fn nearest(&mut self, near: f64) -> f64 {
+        near
+    }
 }
 
 struct Compiled<'a> {
@@ -109,6 +116,13 @@ impl Control for Compiled<'_> {
     }
     fn memory(&self) -> &Memory {
         &self.memory
+    }
+    fn nearest(&mut self, near: f64) -> f64 {
+        if self.parameters.has(ENCODER) {
+            near
+        } else {
+            self.memory.take_nearest()
+        }
     }
 }
 

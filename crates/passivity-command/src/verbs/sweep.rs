@@ -4,11 +4,11 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use passivity_scene::Point;
-use passivity_sim::SimError;
 use passivity_sim::report::{Outcomes, Sweep};
 use passivity_sim::sweep::{
     Asked, Grid, Row, Shard, check_points, merge, open, open_shard, run_range, side_files,
 };
+use passivity_sim::{Plan, SimError};
 
 use crate::exit::{Exit, Failure};
 use crate::files::{may_be_written, sources};
@@ -333,8 +333,12 @@ fn text(report: &Sweep, points: &[Point]) -> String {
     let near = match report.within_rounding_of_edge {
         0 => String::new(),
         n => format!(
-            "\n  of those simulated now, {n} had a sample within rounding of an encoder edge, from which on \
-             the motion may be another one: in `simulate`, {}",
+            "\n  of those simulated now, {n} had a sample within rounding of {}, from which on the motion may be \
+             another one: in `simulate`, {}",
+            points
+                .first()
+                .and_then(|point| Plan::compile(point).ok())
+                .map_or_else(String::new, |plan| plan.edge_words()),
             deciding(points)
         ),
     };

@@ -1,4 +1,4 @@
-//! Which lanes may have a sample within rounding of an encoder edge.
+//! Which lanes may have a sample within rounding of an edge.
 //!
 //! The bounds are those of [`Coarse`], in lanes. A lane whose samples stay farther off every edge has none
 //! to report; of any other the scalar loop looks for it.
@@ -12,7 +12,7 @@ use crate::rounding::{Coarse, off_edge};
 pub(super) struct Edges {
     bounds: Coarse<Lane>,
     /// How near to an edge a sample of the stretch was.
-    nearest: Lane,
+    pub(super) nearest: Lane,
     /// The greatest square of the norm of the state in the stretch.
     size: Lane,
     /// 1 where a sample may have been within rounding of an edge.

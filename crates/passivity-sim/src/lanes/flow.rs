@@ -16,7 +16,7 @@ const SIDE_BY_SIDE: usize = 8;
 
 /// The motions of a batch.
 pub(super) struct Flows {
-    laws: Laws,
+    pub(super) laws: Laws,
     /// What is in the motions.
     pub(super) kind: Kind,
     /// Its output.

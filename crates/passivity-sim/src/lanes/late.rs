@@ -10,7 +10,7 @@ use crate::plan::Plan;
 
 /// The controllers of a batch, and the motions in the parts of an interval.
 pub(super) struct Late {
-    laws: Laws,
+    pub(super) laws: Laws,
     parts: Vec<Part>,
 }
 

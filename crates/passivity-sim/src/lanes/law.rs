@@ -24,6 +24,9 @@ pub(super) struct Laws {
     past: Vec<Lane>,
     /// The held force.
     pub(super) held: Lane,
+    /// How near to a jump of the law the samples of a stretch were, and the greatest |q| of all.
+    nearest: Lane,
+    reach: Lane,
     /// The force that is held in the end if the device stays where it is, where that is another one.
     settled: Option<Lane>,
     /// For how many intervals the device has been at rest.
@@ -43,6 +46,8 @@ impl Laws {
             samples: vec![zero; law.filter.tails.len()],
             past: vec![zero; law.filter.poles.len()],
             held: zero,
+            nearest: [f64::INFINITY; WIDTH],
+            reach: zero,
             settled: law.lingers().then_some(zero),
             resting: zero,
             needed: law.forgets_after() as f64,
@@ -62,6 +67,7 @@ impl Laws {
         self.held[lane] = self.law.settled(xi);
         self.previous[lane] = sample;
         self.resting[lane] = 0.0;
+        (self.nearest[lane], self.reach[lane]) = (f64::INFINITY, xi.abs());
     }
 
     /// The held forces of the samples at the positions of all lanes.
@@ -76,22 +82,45 @@ impl Laws {
         }
         if self.settled.is_some() {
             let force = q.map(|q| law.filter.sum * q);
-            self.settled = Some(limited(law, &q, force));
+            self.settled = Some(limited(law, &q, force, steps_of(law, &force)));
         }
         if let Some(samples) = self.line.get_mut(self.next) {
             std::mem::swap(samples, &mut q);
             self.next = (self.next + 1) % self.line.len();
         }
-        let mut force = q;
+        let (mut force, mut steps) = (q, None);
         if law.has(law::FILTER) {
             filter(law, &mut self.samples, &mut self.past, &mut force);
         } else if law.has(law::DAMPING) {
+            if law.has(law::FORCE_STEP) {
+                let [of_q, of_d, whole] = law.whole;
+                let mut parts = q;
+                for i in 0..WIDTH {
+                    parts[i] = q[i] * of_q + (q[i] - self.previous[i]) * of_d;
+                }
+                steps = Some((parts, whole));
+            }
             for i in 0..WIDTH {
                 force[i] += law.damping * (q[i] - self.previous[i]);
             }
             self.previous = q;
         }
-        self.held = limited(law, &q, force);
+        let steps = steps.unwrap_or_else(|| steps_of(law, &force));
+        if law.jumps() {
+            for i in 0..WIDTH {
+                self.reach[i] = self.reach[i].max(q[i].abs());
+                let off = law.off_jump(q[i], force[i], self.reach[i]);
+                self.nearest[i] = self.nearest[i].min(off);
+            }
+        }
+        self.held = limited(law, &q, force, steps);
+    }
+
+    /// Without an encoder, how near to a jump of the law the samples were since this was asked before.
+    #[inline(always)]
+    pub(super) fn take_nearest(&mut self) -> Option<Lane> {
+        let nothing = [f64::INFINITY; WIDTH];
+        (self.law.jumps()).then(|| std::mem::replace(&mut self.nearest, nothing))
     }
 
     /// The samples that the controller of a lane remembers, the latest first.
@@ -167,20 +196,28 @@ fn filter(law: &HeldForce, samples: &mut [Lane], past: &mut [Lane], q: &mut Lane
     }
 }
 
+/// Forces in steps of the D/A converter: numerators, and the denominator.
+#[inline(always)]
+fn steps_of(law: &HeldForce, force: &Lane) -> (Lane, f64) {
+    let [numerator, denominator] = law.force_step;
+    (force.map(|force| force * denominator), numerator)
+}
+
 /// The held forces of the wall's: what sides, steps and limits make of them.
 #[inline(always)]
-fn limited(law: &HeldForce, q: &Lane, mut force: Lane) -> Lane {
+fn limited(law: &HeldForce, q: &Lane, mut force: Lane, steps: (Lane, f64)) -> Lane {
+    let (mut parts, whole) = steps;
     if law.has(law::UNILATERAL) {
         for i in 0..WIDTH {
             force[i] = select(q[i] < 0.0, 0.0, force[i]);
+            parts[i] = select(q[i] < 0.0, 0.0, parts[i]);
         }
     }
     let mut held = force.map(|force| -force);
     if law.has(law::FORCE_STEP) {
         let [numerator, denominator] = law.force_step;
-        for held in &mut held {
-            let steps = *held * denominator / numerator + 0.5;
-            *held = floor_lane(steps) * numerator / denominator;
+        for i in 0..WIDTH {
+            held[i] = floor_lane(-parts[i] / whole + 0.5) * numerator / denominator;
         }
     }
     if law.has(law::SATURATION) {

@@ -74,9 +74,14 @@ pub(super) fn simulated<R: Real>(
     if let Halt::Undecided(h) = ended.halt {
         outcome.exact = ExactOutcome::Undecided;
         outcome.at_interval = Some(h);
+        let words = plan.edge_words();
+        let edge = if words.is_empty() {
+            words
+        } else {
+            format!("{words} or of ")
+        };
         outcome.because = format!(
-            "in interval {h} an enclosure holds both sides of an encoder edge or of a stop, with the \
-             most bits that were tried"
+            "in interval {h} an enclosure holds both sides of {edge}a stop, with the most bits that were tried"
         );
     }
     Simulated {

@@ -3,12 +3,12 @@
 use std::cmp::Ordering;
 
 use passivity_core::controller::Memory;
-use passivity_core::{BigRational, Ordered as _, Scalar as _};
+use passivity_core::{BigRational, Controller, Ordered as _, Scalar as _};
 use passivity_scene::Point;
 
 use crate::error::SimError;
 use crate::flow::State;
-use crate::law::ENCODER;
+use crate::law::{self, ENCODER, FORCE_STEP, HeldForce};
 use crate::ledger::Totals;
 use crate::methods::general::{grows, simulated};
 use crate::model::{Halt, IntervalRow, Model};
@@ -37,7 +37,7 @@ pub(super) fn reference(
     let bits = bits.next_multiple_of(64) as usize;
     let model = Model::new(point, plan, |x| Big::new(x, bits))?;
     let mut totals = Totals::default();
-    let mut edges = Edges::new(point, plan, digits, bits);
+    let mut edges = Edges::new(point, plan, digits, bits)?;
     let ended = model.run(plan.intervals, u64::MAX, grows(plan), |row| {
         let entry = row.entry();
         totals.add(&entry);
@@ -56,41 +56,84 @@ pub(super) fn reference(
     Ok(run)
 }
 
-/// Which sample of a reference is the first that its digits do not tell from an encoder edge.
+/// Which sample of a reference is the first that its digits do not tell from an edge.
 struct Edges {
-    watched: bool,
-    /// The last of the digits, of a tick or of the position.
-    digit: Big,
+    law: HeldForce,
+    /// The controller without the D/A converter, where what this rounds is not known exactly.
+    unrounded: Option<(Controller<Big>, Memory<Big>)>,
+    /// A step of the D/A converter.
+    step: Big,
+    /// The last of the digits, of a tick or of the position; and what of the position the force is off by then.
+    digit: [Big; 2],
+    /// The greatest |ξ| so far.
+    reach: Big,
     /// Whether the device is still where it started, on an edge exactly.
     on_edge: bool,
     first: Option<u64>,
 }
 
 impl Edges {
-    fn new(point: &Point, plan: &Plan, digits: u32, bits: usize) -> Self {
+    fn new(point: &Point, plan: &Plan, digits: u32, bits: usize) -> Result<Self, SimError> {
         let [start, _] = point.start();
         let ten = BigRational::from_integer(10.into());
         let power = (0..digits).fold(BigRational::one(), |power, _| power * &ten);
-        Self {
-            watched: plan.law.has(ENCODER),
-            digit: Big::new(&power.recip(), bits),
-            on_edge: start.is_integer(),
+        let number = |x: &BigRational| Big::new(x, bits);
+        let digit = number(&power.recip());
+        let amplified = BigRational::from_float(plan.law.amplified());
+        let of_force = amplified.map_or_else(Big::undefined, |x| digit.clone() * number(&x));
+        let law = plan.law.clone();
+        let unrounded = if law.has(FORCE_STEP) && (law.lingers() || !law.has(ENCODER)) {
+            let controller = Controller {
+                force_step: None,
+                max_force: None,
+                ..law::controller(&point.at, number)?
+            };
+            let memory = controller.at_rest(&number(&start));
+            Some((controller, memory))
+        } else {
+            None
+        };
+        let step = point.at.force_step.as_ref();
+        Ok(Self {
+            unrounded,
+            step: step.map_or_else(Big::one, number),
+            digit: [digit, of_force],
+            reach: Big::zero(),
+            on_edge: if law.has(ENCODER) {
+                start.is_integer()
+            } else {
+                start == BigRational::zero()
+            },
+            law,
             first: None,
-        }
+        })
     }
 
     fn see(&mut self, row: &IntervalRow<Big>) {
         let xi = &row.step.start;
         let still = self.on_edge;
         self.on_edge &= row.step.end.compare(xi).is_some_and(Ordering::is_eq);
-        if !self.watched || still || self.first.is_some() {
+        if self.first.is_some() {
             return;
         }
-        let nearest = (xi.clone() + Big::one().half()).floor();
-        let off = (xi.clone() - nearest).abs();
-        let far = off.compare(&(self.digit.clone() * xi.abs().max(Big::one())));
-        if !far.is_some_and(Ordering::is_ge) {
-            self.first = Some(row.h);
+        self.reach = self.reach.clone().max(xi.abs());
+        let [digit, of_force] = &self.digit;
+        let is_near = |off: Big, least: Big| !off.compare(&least).is_some_and(Ordering::is_ge);
+        let off = |x: &Big| (x.clone() - (x.clone() + Big::one().half()).floor()).abs();
+        let on_edge = !still
+            && if self.law.has(ENCODER) {
+                is_near(off(xi), digit.clone() * xi.abs().max(Big::one()))
+            } else {
+                self.law.jumps_at_surface() && is_near(xi.abs(), digit.clone() * self.reach.clone())
+            };
+        let in_middle = self.unrounded.as_mut().is_some_and(|(controller, memory)| {
+            let steps = controller.sample(memory, xi).over(self.step.clone()) + Big::one().half();
+            let least = of_force.clone() * self.reach.clone().max(self.step.clone());
+            is_near(off(&steps) * self.step.clone(), least)
+        });
+        if on_edge || in_middle {
+            let late = if on_edge { 0 } else { self.law.delay as u64 };
+            self.first = Some(row.h.saturating_sub(late));
         }
     }
 }

@@ -52,7 +52,7 @@ pub(super) fn way<R: Real>(
             velocity: velocity.decided()?,
             output: low.end.output.join(high.end.output),
         },
-        dissipated: work.clone() + force.clone() * way - kinetic,
+        dissipated: (work.clone() + force.clone() * way - kinetic).max(R::zero()),
         work,
         arm: R::zero(),
     })

@@ -100,8 +100,10 @@ impl<R: Real> Motion<R> {
         let velocity = low.velocity.join(high.velocity);
         // What friction took is not monotone, but it is what the balance leaves over.
         let kinetic = (self.mu.clone() * (velocity.square() - v.square())).half();
+        let has_friction = self.sigma.is_some() || self.beta.is_some();
+        let left = has_friction.then(|| u.clone() * d.clone() - kinetic);
         Ok(Moved {
-            dissipated: u.clone() * d.clone() - kinetic,
+            dissipated: left.map_or_else(R::zero, |left| left.max(R::zero())),
             xi: xi.clone() + d,
             velocity,
         })

@@ -98,7 +98,7 @@ impl Coarse<f64> {
 /// Apart from [`Stretches`], so that it stays in registers.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seen {
-    nearest: f64,
+    pub(crate) nearest: f64,
     size: f64,
 }
 

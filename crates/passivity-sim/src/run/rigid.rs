@@ -2,11 +2,10 @@
 
 use super::{Control, Watch, end, entry};
 use crate::flow::State;
-use crate::law::ENCODER;
 use crate::motion::{Constants, Moved};
 use crate::outcome::{End, Stop};
 use crate::plan::Plan;
-use crate::rounding::{Acting, STRETCH, Seen, Stretches};
+use crate::rounding::{Acting, STRETCH, Seen, Stretches, off_edge};
 
 #[inline(always)]
 pub(super) fn by_friction<const FORCE: bool, W: Watch, L: Control>(
@@ -39,7 +38,7 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
     let mut creep = 0.0;
     let mut last = [0.0; 2];
     let (mut stretches, mut seen) = (Stretches::new(plan), Seen::NOTHING);
-    let watched = plan.law.has(ENCODER);
+    let watched = plan.law.has_edges();
     let mut h = 0;
     let stop = loop {
         if h == plan.intervals || watch.is_done() {
@@ -56,10 +55,10 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
                 break Stop::Growing(h);
             }
         }
-        if let Some(rounding) = watch.rounding() {
-            rounding.look(h, xi);
-        }
         let held = law.held(xi);
+        if let Some(rounding) = watch.rounding() {
+            rounding.look(h, law.nearest(off_edge(xi)));
+        }
         let force = match &plan.forces {
             Some(forces) if FORCE => forces.at(h),
             _ => 0.0,
@@ -110,9 +109,11 @@ fn rigid<const VISCOUS: bool, const COULOMB: bool, const FORCE: bool, W: Watch, 
         (xi, v) = (moved.xi, moved.velocity);
         h += 1;
         if watched && h.is_multiple_of(STRETCH.into()) {
+            seen.nearest = law.nearest(seen.nearest);
             seen = stretches.settle(seen, h);
         }
     };
+    seen.nearest = law.nearest(seen.nearest);
     stretches.settle(seen, h);
     (end(plan, stop, h, xi, v), stretches.near)
 }

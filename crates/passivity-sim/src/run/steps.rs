@@ -3,12 +3,11 @@
 use super::rigid::advance;
 use super::{Compiled, Control, Watch, WithLedger, end, entry};
 use crate::flow::{Fast, Flowed, Kind, LONG, SHORT, State};
-use crate::law::ENCODER;
 use crate::ledger::{Entry, Totals};
 use crate::motion::Moved;
 use crate::outcome::{End, Stop};
 use crate::plan::Plan;
-use crate::rounding::{Acting, Rounding, STRETCH, Seen, Stretches};
+use crate::rounding::{Acting, Rounding, STRETCH, Seen, Stretches, off_edge};
 
 /// A way over an interval, from a state, the forces of the sample before and of this one, and the operator's;
 /// `None` where numbers have overflowed.
@@ -173,7 +172,7 @@ pub(super) fn stepping<W: Watch>(
         output,
     };
     let (mut stretches, mut seen) = (Stretches::new(plan), Seen::NOTHING);
-    let watched = plan.law.has(ENCODER);
+    let watched = plan.law.has_edges();
     let mut resting = 0;
     let mut h = 0;
     let stop = loop {
@@ -184,10 +183,10 @@ pub(super) fn stepping<W: Watch>(
         if plan.growth.is_past(size) && plan.growth.certain(&state, law.memory().latest_first()) {
             break Stop::Growing(h);
         }
-        if let Some(rounding) = watch.rounding() {
-            rounding.look(h, state.xi);
-        }
         let held = law.held(state.xi);
+        if let Some(rounding) = watch.rounding() {
+            rounding.look(h, law.nearest(off_edge(state.xi)));
+        }
         let force = plan.forces.as_ref().map_or(0.0, |forces| forces.at(h));
         if plan.parts.is_empty() {
             earlier = held; // It acts from the sample on.
@@ -228,12 +227,14 @@ pub(super) fn stepping<W: Watch>(
         (state, earlier) = (flowed.end, held);
         h += 1;
         if watched && h.is_multiple_of(STRETCH.into()) {
+            seen.nearest = law.nearest(seen.nearest);
             seen = stretches.settle(seen, h);
         }
         if !go_on {
             break Stop::Ran(h);
         }
     };
+    seen.nearest = law.nearest(seen.nearest);
     stretches.settle(seen, h);
     let end = end(plan, stop, h, state.xi, state.velocity);
     (end, stretches.near)

@@ -16,7 +16,7 @@ pub struct Row {
     pub xi: f64,
     /// ξ̇ at the end.
     pub velocity: f64,
-    /// The first sample within rounding of an encoder edge; files do not keep it.
+    /// The first sample within rounding of an edge; files do not keep it.
     pub within_rounding_of_edge: Option<u64>,
 }
 

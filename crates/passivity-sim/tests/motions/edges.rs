@@ -1,8 +1,8 @@
-//! Samples on encoder edges: doubles decide them by rounding, and say so.
+//! Samples on encoder edges, and without an encoder where the force jumps: doubles decide them by rounding, and say so.
 
 use crate::common::{point, q};
 use passivity_scene::Point;
-use passivity_sim::{ExactOutcome, Line, Method, Simulated, simulate};
+use passivity_sim::{Detail, ExactOutcome, Line, Method, Simulated, simulate};
 
 /// Pseudo-random numbers, the same on every machine.
 struct Random(u64);
@@ -85,6 +85,101 @@ fn an_outcome_that_rounding_decided_says_so() {
     }
     eprintln!("wrong {wrong:?}, said {said:?} of 600");
     assert!(wrong[0] > 10, "the scenes no longer show it: {wrong:?}");
+}
+
+/// A scene without an encoder, one of whose first samples is where its force jumps, as far as one was found: at
+/// the surface of a one-sided wall with virtual damping, or in the middle between two steps of a D/A converter.
+fn on_a_jump(random: &mut Random) -> Option<Point> {
+    let mut scene = scene(random);
+    let at = &mut scene.at;
+    at.resolution = None;
+    at.unilateral = random.below(5) > 0;
+    at.delay = u16::from(random.below(5) == 0);
+    at.latency = (random.below(5) == 0).then(|| q("2/5"));
+    let mut target = q("0");
+    if random.below(2) == 0 {
+        at.unilateral = true;
+        at.damping = Some(q(&format!("{}/3", 1 + random.below(9))));
+    } else {
+        let step = q(&format!("{}/5", 1 + random.below(6)));
+        let odd = 2 * random.below(7).cast_signed() - 7;
+        target = step.clone() * q(&format!("{odd}/2"));
+        at.force_step = Some(step);
+    }
+    let intervals = 1 + random.below(5);
+    scene.intervals = intervals;
+    for _ in 0..4 {
+        let run = simulate(&scene, &Method::Exact, None).ok()?;
+        let Detail::Exact([xi, _]) = &run.detail else {
+            panic!("{run:?}");
+        };
+        let off = target.clone() - q(xi);
+        if off == q("0") && run.end.intervals == intervals {
+            scene.intervals = 12;
+            return Some(scene);
+        }
+        let speed = scene.at.start_velocity.take()?;
+        scene.at.start_velocity = Some(speed + off / q(&intervals.to_string()));
+    }
+    None
+}
+
+#[test]
+fn a_force_that_jumps_without_an_encoder_says_so() {
+    let mut random = Random(4);
+    let (mut found, mut wrong, mut said) = (0, [0; 3], [0; 3]);
+    for _ in 0..2000 {
+        let Some(scene) = on_a_jump(&mut random) else {
+            continue;
+        };
+        let mut exact = simulate(&scene, &Method::Exact, None).unwrap();
+        found += 1;
+        // Whether a device that stops rests at once or within the next interval is no matter of a jump.
+        exact.end.outcome.exact = ExactOutcome::AtRest;
+        let methods = [
+            Method::ClosedForm,
+            Method::Reference { digits: 20 },
+            Method::Adaptive { tolerance: 1e-13 },
+        ];
+        for (i, method) in methods.iter().enumerate() {
+            let mut other = simulate(&scene, method, None).unwrap();
+            let warned = other.end.within_rounding_of_edge;
+            said[i] += usize::from(warned.is_some());
+            other.end.outcome.exact = ExactOutcome::AtRest;
+            if !agree(&other, &exact) {
+                wrong[i] += 1;
+                assert!(warned.is_some(), "{method}: {other:?} {exact:?} {scene:?}");
+            }
+        }
+    }
+    eprintln!("wrong {wrong:?}, said {said:?} of {found}");
+    assert!(wrong[0] > 10, "the scenes no longer show it: {wrong:?}");
+}
+
+#[test]
+fn a_force_half_way_between_two_steps_is_rounded_as_the_numbers_of_the_scene_have_it() {
+    // 2½ + 1.361 = 58½·0.066, and 58½ steps are rounded to 59: what samples of an encoder make is known exactly.
+    let mut scene = point("9", "1/2", "0", ["2.2", "1.74"], 40);
+    (scene.at.coulomb, scene.at.damping, scene.at.force_step) =
+        (None, Some(q("1.361")), Some(q("0.066")));
+    let end = |digits| {
+        let run = simulate(&scene, &Method::Reference { digits }, None).unwrap();
+        assert_eq!(run.end.within_rounding_of_edge, None);
+        run.end.xi
+    };
+    let doubles = simulate(&scene, &Method::ClosedForm, None).unwrap().end.xi;
+    for digits in [20, 30, 60] {
+        assert!(
+            (end(digits) - doubles).abs() < 1e-9,
+            "{digits}: {}, {doubles}",
+            end(digits)
+        );
+    }
+    let enclosed = simulate(&scene, &Method::Enclosure, None).unwrap().end;
+    assert_eq!(
+        (enclosed.intervals, enclosed.within_rounding_of_edge),
+        (40, None)
+    );
 }
 
 #[test]

@@ -8,15 +8,20 @@ use passivity_sim::{Beyond, Detail, ExactOutcome, Method, Plan, Simulated};
 
 use super::words;
 
-/// Which method decides of a sample on which side of an encoder's edge it is, of those that the effects of all these points
-/// allow.
+/// Which method decides of a sample on which side of an edge it is, of those that the effects of these points allow.
 pub(crate) fn deciding(points: &[Point]) -> &'static str {
-    let takes_all = |method: Method| {
-        let mut points = points.iter();
-        points.all(|point| method.unsupported(point).is_empty())
+    let takes = |method: Method| {
+        points
+            .iter()
+            .map(move |point| method.unsupported(point).is_empty())
     };
+    let takes_all = |method: Method| takes(method).all(|takes| takes);
     match [Method::Exact, Method::Enclosure].map(takes_all) {
         [true, _] => "`--method exact` decides",
+        [false, true] if takes(Method::Exact).any(|takes| takes) => {
+            "`--method exact` decides of points with β = 0, and of the others `--method enclosure`, but not of a sample \
+             that is exactly on the edge"
+        }
         [false, true] => {
             "`--method enclosure` decides, but of a sample that is exactly on the edge no method does"
         }
@@ -51,8 +56,8 @@ pub(super) fn text(
     ];
     if let Some(h) = end.within_rounding_of_edge {
         lines.push(format!(
-            "  sample {h} is within rounding of an encoder edge, and the motion from there on may be another \
-             one: {}",
+            "  sample {h} is within rounding of {}, and the motion from there on may be another one: {}",
+            plan.edge_words(),
             deciding(&[scene.point()])
         ));
     }
@@ -199,7 +204,10 @@ mod tests {
         assert_eq!(deciding(&[of("1", "")]), enclosed);
         assert_eq!(deciding(&[of("0", "")]), "`--method exact` decides");
         // Of a sweep, a method that takes some of the points only decides none of the others.
-        assert_eq!(deciding(&[of("0", ""), of("1", "")]), enclosed);
+        let of_both = deciding(&[of("0", ""), of("1", "")]);
+        assert!(
+            of_both.starts_with("`--method exact` decides of points with β = 0, and of the others")
+        );
         assert!(deciding(&[of("0", arm)]).ends_with("no method decides"));
     }
 }
