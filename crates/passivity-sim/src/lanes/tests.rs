@@ -319,6 +319,23 @@ fn lanes_and_scalar_loop_agree_with_a_latency() {
 }
 
 #[test]
+fn jumps_without_an_encoder_are_met_in_lanes_as_in_the_scalar_loop() {
+    for (latency, time_constant) in [(None, None), (Some((3, 10)), None), (None, Some((1, 5)))] {
+        let part = |(n, d)| ratio(n, d);
+        let mut scene = scene(law::UNILATERAL | law::DAMPING, 0, 50, 200);
+        scene.at.start_position = Some(ratio(-1, 3));
+        (scene.at.latency, scene.at.time_constant) = (latency.map(part), time_constant.map(part));
+        // From −⅓ at the speed of 1/9 the device is at the surface in the third sample.
+        let plans = plans(&scene, &[0.0], &[0.0, 0.5], &[1.0 / 9.0, 0.3]);
+        assert!(all_fit(&plans));
+        let first = run::outcome(&plans[0]).within_rounding_of_edge;
+        assert_eq!(first, Some(3), "{latency:?} {time_constant:?}");
+        end_alike(Instructions::Best, &plans, "a jump");
+        end_alike(Instructions::Baseline, &plans, "a jump");
+    }
+}
+
+#[test]
 fn an_amplifier_behind_a_latency_goes_through_the_scalar_loop() {
     let mut scene = scene(law::ENCODER, 0, 50, 200);
     scene.at.latency = Some(ratio(1, 3));

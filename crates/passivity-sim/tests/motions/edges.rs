@@ -241,15 +241,19 @@ fn motions_off_the_edges_are_not_suspected() {
                 (random.below(1 << 30) + 1) as f64 * f64::from(n) / 1e9
             )
         });
-        let run = simulate(
-            &point(&mu, &beta, &sigma, ["0", &speed], 500),
-            &Method::ClosedForm,
-            None,
-        );
-        let end = run.unwrap().end;
-        if end.within_rounding_of_edge.is_some() {
-            said += 1;
-            eprintln!("{i}: {mu} {beta} {sigma} {speed} {end:?}");
+        let measured = point(&mu, &beta, &sigma, ["0", &speed], 500);
+        // Without an encoder, against a one-sided wall with damping, and behind steps too.
+        let mut damped = measured.clone();
+        (damped.at.resolution, damped.at.unilateral) = (None, true);
+        damped.at.damping = Some(q("7/3"));
+        let mut stepped = damped.clone();
+        stepped.at.force_step = Some(q("1/7"));
+        for scene in [measured, damped, stepped] {
+            let end = simulate(&scene, &Method::ClosedForm, None).unwrap().end;
+            if end.within_rounding_of_edge.is_some() {
+                said += 1;
+                eprintln!("{i}: {mu} {beta} {sigma} {speed} {end:?}");
+            }
         }
     }
     assert_eq!(said, 0);
