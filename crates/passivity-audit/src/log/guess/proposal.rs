@@ -34,8 +34,8 @@ pub struct Proposal {
 /// Another way to read the columns of a header, as `passivity audit` takes it.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct Otherwise {
-    /// Where it is meant: where the clock is none, as it is one only by its rise from row to row, or where positions without
-    /// a unit are in another one than is assumed.
+    /// Where it is meant: where the clock is none, as it is one only by its rise from row to row, where times or positions without
+    /// a unit are in another one than is assumed, or where a column is meant that is called `count`, `x` or `f`.
     pub condition: String,
     /// For `--columns`.
     pub columns: String,

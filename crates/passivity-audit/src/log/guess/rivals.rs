@@ -4,9 +4,9 @@
 use passivity_scene::Scene;
 
 use super::kind::Kind;
-use super::role;
 use super::score::{called, score};
 use super::words::{HELD, words};
+use super::{is_called_a_count, role};
 use crate::log::columns::{Found, Role};
 use crate::log::error::shown;
 use crate::log::header::Heading;
@@ -52,7 +52,10 @@ fn is_rival(
         Role::F => is_held(),
         _ => {
             let other = role(kind, headings, column, preview, scene);
-            other.is_some_and(|other| other.role == found.role) && called(heading) > own
+            let is_alike = other.is_some_and(|other| other.role == found.role);
+            // In a unit, what an encoder says is rounded to its ticks, and not where the device was.
+            let is_rounded = found.role == Role::X && is_called_a_count(&heading.name);
+            is_alike && !is_rounded && called(heading) > own
         }
     }
 }

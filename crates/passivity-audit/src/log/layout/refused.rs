@@ -176,7 +176,14 @@ pub(super) fn proposal(
     let is_sure =
         |found: &&Found| is_said(found) || !guess::only_rises(headings, preview, scene, found);
     let sure: Vec<Found> = all.iter().filter(is_sure).cloned().collect();
+    let in_doubt = guess::in_doubt(headings, preview, scene);
     proposal.others = guess::others(headings, preview, scene, (said, &all));
+    // What is called as a role is has a command of its own.
+    let has_command = |name: &String| {
+        let mut plain = in_doubt.iter().filter_map(|it| headings.get(it.column));
+        plain.any(|heading| *name == shown(heading.name.as_bytes()))
+    };
+    proposal.others.retain(|name| !has_command(name));
     let told = said.iter().filter_map(|found| {
         let unit = found.unit.as_ref()?;
         Some(format!("{} in {unit}", found.role.name()))
@@ -239,7 +246,6 @@ pub(super) fn proposal(
     if all.iter().any(|it| it.role == Role::X && is_assumed(it)) {
         leaves_open(&in_unit, &|found| found.iter().map(in_other_unit).collect());
     }
-    let in_doubt = guess::in_doubt(headings, preview, scene);
     for plain in in_doubt.iter().filter(|plain| !is_said(plain)) {
         leaves_open(&guess::plain_is_meant(plain, headings), &|found| {
             guess::with_plain(plain, found)

@@ -85,6 +85,8 @@ fn a_force_that_is_commanded_is_not_passed_over_for_one_called_f() {
             "t=t [s], count=count, f=f [N]".to_owned(),
         );
         assert_eq!(ways, [plain]);
+        let error = refused(&log, None);
+        assert_eq!(error.proposal.unwrap().others, Vec::<String>::new());
         assert!(
             message.contains("the column `f [N]` may be another force"),
             "{message}"
@@ -122,6 +124,7 @@ fn a_position_that_was_measured_is_not_passed_over_for_one_called_x() {
         "x_ref [mm]",
         "position [mm]",
         "encoder",
+        "encoder [mm]",
         "pos_des [mm]",
         "timestamp_us",
     ] {
