@@ -1,6 +1,6 @@
 //! Checking a written case against the tree: what has changed since.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::iter;
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use passivity_audit::legible;
 use passivity_evidence::Sha256;
 use serde_json::Value;
 
-use crate::case::{Case, Objection};
+use crate::case::{Case, Objection, VERSION};
 use crate::error::CaseError;
 use crate::files::{MOST_BYTES, read_bytes, read_text};
 use crate::folder::{HTML, INFO, PDF};
@@ -16,6 +16,7 @@ use crate::manifest::{FileEntry, MANIFEST, Manifest, RecordedEntry, SceneEntry, 
 use crate::recorded::{Recorded, Recordings, record_name, sum};
 use crate::records::Records;
 use crate::study::Study;
+use crate::{html, sections};
 
 /// The differences between a written case and the present scenes, claims and evidence.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -105,8 +106,10 @@ pub fn check(folder: &Path, records: &Records) -> Result<Findings, CaseError> {
         differences(folder, name, entry, &mut findings);
     }
     let studies = scenes(folder, &manifest, &mut findings);
-    verdicts(&manifest, studies, records, &mut findings);
+    let case = Case::new(studies, records.clone(), Vec::new());
+    verdicts(&manifest, &case, &mut findings);
     evidence(&manifest, records, &mut findings);
+    page(folder, &manifest, &case, &mut findings);
     Ok(findings)
 }
 
@@ -303,8 +306,7 @@ fn read_again(study: &mut Study, entry: &RecordedEntry, findings: &mut Findings)
     }
 }
 
-fn verdicts(manifest: &Manifest, studies: Vec<Study>, records: &Records, findings: &mut Findings) {
-    let case = Case::new(studies, records.clone(), Vec::new());
+fn verdicts(manifest: &Manifest, case: &Case, findings: &mut Findings) {
     findings.objections = case.objections();
     for (study, argument) in case.scenes() {
         let Some(entry) = manifest.scenes.get(&study.slug) else {
@@ -342,6 +344,61 @@ fn verdicts(manifest: &Manifest, studies: Vec<Study>, records: &Records, finding
             ));
         }
     }
+}
+
+/// Compares what the document says of the scenes, and of what was recorded of the device, with what is written of them now,
+/// where all that it is written of is as it was: its hash in the manifest may be that of a document that somebody changed.
+fn page(folder: &Path, manifest: &Manifest, case: &Case, findings: &mut Findings) {
+    let is_same = findings.is_current() && findings.not_at_hand.is_empty();
+    // Other versions may say the same in other words.
+    if !is_same || manifest.passivity != VERSION {
+        return;
+    }
+    let Ok(then) = read_text(&folder.join(HTML), MOST_BYTES) else {
+        return;
+    };
+    let now = html::write(&sections::document(case));
+    let mut differ = |what: &str| {
+        let says = format!(
+            "{what}: `{HTML}` says other than what is written of it now: it was changed, or another build wrote it"
+        );
+        findings.changed.push(says);
+    };
+    if verdict_lines(&then) != verdict_lines(&now) {
+        differ("the verdicts on page one");
+    }
+    for study in &case.studies {
+        let anchor = study.anchor("scene");
+        if words_of(&then, &anchor) != words_of(&now, &anchor) {
+            differ(&format!("the scene {} and its recordings", study.slug));
+        }
+    }
+}
+
+/// The verdicts of a page, whatever the order of its scenes.
+fn verdict_lines(page: &str) -> BTreeSet<&str> {
+    let lines = page.lines();
+    lines
+        .filter(|line| line.starts_with("<p class=\"verdict "))
+        .collect()
+}
+
+/// The lines of a section of a page without its pictures, in which times may be measured.
+fn words_of(page: &str, anchor: &str) -> Option<Vec<String>> {
+    let start = format!("<section aria-labelledby=\"{anchor}\">");
+    let (_, section) = page.split_once(&start)?;
+    let (section, _) = section.split_once("</section>")?;
+    let mut pieces = section.split("<figure");
+    let mut text = pieces.next()?.to_owned();
+    // A picture has none within it.
+    let behind = pieces.map(|piece| {
+        piece
+            .split_once("</figure>")
+            .map_or(piece, |(_, behind)| behind)
+    });
+    text.extend(behind);
+    let lines = text.lines().filter(|line| !line.is_empty());
+    Some(lines.map(str::to_owned).collect())
 }
 
 fn evidence(manifest: &Manifest, records: &Records, findings: &mut Findings) {

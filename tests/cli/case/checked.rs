@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use super::recorded::case;
 use super::{BAD, GOOD, one_error, read};
 use crate::harness::Dir;
 
@@ -80,6 +81,51 @@ fn a_check_finds_a_manifest_in_which_the_past_was_rewritten() {
         let run = dir.run(&["case", "--check", "case"]);
         assert_eq!(run.code, 1, "{number}: {}", run.stdout);
         assert!(run.stdout.contains(says), "{number}: {}", run.stdout);
+    }
+}
+
+/// The hash of a document may be that of one that somebody changed: what it says of the scene is written once more.
+#[test]
+fn a_check_finds_a_document_that_was_changed_together_with_its_hash() {
+    let dir = Dir::new();
+    let path = dir.write("scene.toml", GOOD);
+    let log = dir.write("run.csv", "tau,xi\n0,1/4\n1,5/4\n2,1/2\n");
+    assert_eq!(case(&dir, &path, &["--log", &log]).code, 0);
+    let page = read(&dir, "case/case.html");
+    let manifest = read(&dir, "case/manifest.json");
+    let sum = |page: &str| passivity_evidence::Sha256::of(page.as_bytes()).to_string();
+    for (old, new, what) in [
+        ("", "", None),
+        (
+            "PASSIVE at every speed",
+            "PASSIVE for ever",
+            Some("the verdicts on page one"),
+        ),
+        (
+            "knob 3",
+            "knob 4",
+            Some("the scene scene and its recordings"),
+        ),
+        (
+            "Measured on the bench.",
+            "Weighed.",
+            Some("the scene scene and its recordings"),
+        ),
+    ] {
+        let changed = page.replace(old, new);
+        dir.write(
+            "case/manifest.json",
+            manifest.replace(&sum(&page), &sum(&changed)),
+        );
+        dir.write("case/case.html", changed);
+        let run = dir.run(&["case", "--check", "case"]);
+        assert_eq!(run.code, i32::from(what.is_some()), "{}", run.stdout);
+        let says = what.map(|what| format!("changed: {what}: `case.html` says other"));
+        assert!(
+            run.stdout.contains(&says.unwrap_or_default()),
+            "{}",
+            run.stdout
+        );
     }
 }
 
