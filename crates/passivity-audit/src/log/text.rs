@@ -219,7 +219,8 @@ impl Report {
     }
 
     /// Whether what the storages of delay and damping gain is taken off net energies: of the wall's own law they are part.
-    fn is_less_stored(&self) -> bool {
+    #[must_use]
+    pub fn is_less_stored(&self) -> bool {
         let has = |effect| self.effects.contains(&effect);
         let is_stored = has(Effect::Delay) || has(Effect::Damping);
         let is_of_spring = has(Effect::DampingFilter) || has(Effect::Controller);

@@ -84,10 +84,14 @@ fn audited(document: &mut Document, study: &Study, log: &Log) {
     row("Force", log.force_text());
     let (totals, unit) = (&report.totals, report.energy_unit());
     let unknown = || "not accounted for".to_owned();
+    let left = match report.is_less_stored() {
+        true => "Dissipated less generated, and less what delay and damping stored",
+        false => "Dissipated less generated",
+    };
     for (name, figure) in [
         ("Generated, linear spring", totals.generated_linear.as_ref()),
         ("Dissipated at least", Some(&totals.dissipated_lower)),
-        ("Dissipated less generated", totals.net_linear.as_ref()),
+        (left, totals.net_linear.as_ref()),
     ] {
         let text = figure.map(|figure| format!("{} {unit}", outward(figure)));
         row(name, text.unwrap_or_else(unknown));
