@@ -356,3 +356,25 @@ fn a_page_that_its_checksum_does_not_fit_is_an_error() {
     let text = said(&bytes).unwrap_or_else(|error| error.to_string());
     assert!(text.contains("checksum"), "{text}");
 }
+
+#[test]
+fn lists_are_named() {
+    let schema = "message trace { optional group position (LIST) { repeated group list { required double element; } } }";
+    let schema = Arc::new(parse_message_type(schema).unwrap());
+    let properties = Arc::new(WriterProperties::builder().build());
+    let mut writer = SerializedFileWriter::new(Vec::new(), schema, properties).unwrap();
+    let mut group = writer.next_row_group().unwrap();
+    let mut column = group.next_column().unwrap().unwrap();
+    let values = column.typed::<DoubleType>();
+    values
+        .write_batch(&[0.5, 1.5], Some(&[2, 2]), Some(&[0, 1]))
+        .unwrap();
+    column.close().unwrap();
+    group.close().unwrap();
+    let path = Scratch::new("parquet", &writer.into_inner().unwrap());
+    let error = read(&path).unwrap_err().to_string();
+    assert!(
+        error.contains("the column `position.list.element` holds lists, which are not read"),
+        "{error}"
+    );
+}

@@ -329,28 +329,6 @@ fn a_stamp_in_two_columns_is_a_clock() {
 }
 
 #[test]
-fn lists_are_named() {
-    let schema = "message trace { optional group position (LIST) { repeated group list { required double element; } } }";
-    let schema = Arc::new(parse_message_type(schema).unwrap());
-    let properties = Arc::new(WriterProperties::builder().build());
-    let mut writer = SerializedFileWriter::new(Vec::new(), schema, properties).unwrap();
-    let mut group = writer.next_row_group().unwrap();
-    let mut column = group.next_column().unwrap().unwrap();
-    let values = column.typed::<parquet::data_type::DoubleType>();
-    values
-        .write_batch(&[0.5, 1.5], Some(&[2, 2]), Some(&[0, 1]))
-        .unwrap();
-    column.close().unwrap();
-    group.close().unwrap();
-    let path = Scratch::new("parquet", &writer.into_inner().unwrap());
-    let error = read(&path).unwrap_err().to_string();
-    assert!(
-        error.contains("the column `position.list.element` holds lists, which are not read"),
-        "{error}"
-    );
-}
-
-#[test]
 fn a_force_is_not_left_out_among_many_columns_or_for_its_type() {
     let names: Vec<String> = (0..100).map(|i| format!("int64 c{i}")).collect();
     let mut columns: Vec<(&str, Vec<Stored>)> = Vec::new();
