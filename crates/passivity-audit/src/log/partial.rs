@@ -28,7 +28,7 @@ use crate::log::step::undefined;
 use crate::log::task::Task;
 use crate::log::{Options, Reading, account};
 
-const FORMAT: &str = "passivity-audit-partial-3";
+const FORMAT: &str = "passivity-audit-partial-4";
 
 /// The account of a stretch of a log, exactly.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
