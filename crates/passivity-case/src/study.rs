@@ -257,7 +257,7 @@ impl Study {
             .lines()
             .rev()
             .map_while(|line| line.trim().strip_prefix('#'))
-            .filter(|line| !is_no_source(line))
+            .filter(|line| !line.starts_with(':'))
             .map(str::trim)
             .collect();
         lines.reverse();
@@ -273,19 +273,23 @@ fn is_open(comment: &[&str]) -> bool {
     !(is_identified && said.is_empty()) && is_placeholder(&said.join(" "))
 }
 
-/// Whether a line of a comment surely says nothing of where a number is from: it speaks to editors, as
-/// `#:schema scene.schema.json` does, or of who owns the file.
-fn is_no_source(comment: &str) -> bool {
-    const RIGHTS: [&str; 6] = [
+/// Whether a line of a scene's head surely says nothing of where numbers are from: it speaks to editors, as
+/// `#:schema scene.schema.json` does, or of who owns the file and on what terms others may use it.
+fn is_no_source(line: &str) -> bool {
+    const RIGHTS: [&str; 10] = [
         "copyright",
         "©",
-        "(c)",
+        "(c) 1",
+        "(c) 2",
         "spdx-",
         "all rights reserved",
-        "licensed under",
+        "licen",
+        "permission is hereby granted",
+        "use of this source code",
+        "warrant",
     ];
-    let line = comment.trim().to_lowercase();
-    comment.starts_with(':') || RIGHTS.iter().any(|start| line.starts_with(start))
+    let lower = line.to_lowercase();
+    line.starts_with(':') || RIGHTS.iter().any(|words| lower.contains(words))
 }
 
 /// The comment at the end of a line of TOML: after the first `#` outside quotes.
@@ -376,6 +380,11 @@ mod tests {
             "© ACME",
             "SPDX-License-Identifier: MIT",
             "Licensed under the Apache License, Version 2.0",
+            "(c) 2026 ACME",
+            "Licence: MIT",
+            "you may not use this file except in compliance with the License.",
+            "Use of this source code is governed by a BSD-style",
+            "WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.",
         ] {
             let owned = study(&format!("# {rights}\n#\n{numbers}"));
             assert_eq!((owned.head().as_str(), owned.unsourced().len()), ("", 3));

@@ -2,13 +2,12 @@
 
 use num_traits::{ToPrimitive as _, Zero as _};
 use passivity_audit::{Dialect, Finding, Force, Form, Observer, Options, Report, Verdict, audit};
-use passivity_core::{BigRational, Exact, Interval};
+use passivity_core::{BigRational, Effect, Exact, Interval};
 use passivity_scene::check::{check, enclosure};
 use passivity_scene::display::{approx, range};
 use passivity_scene::{Motion, Scene};
 use serde_json::{Value, json};
 
-use super::speeds::Speeds;
 use super::{Observed, Outcome, Recording, Source};
 use crate::error::CaseError;
 use crate::study::Study;
@@ -27,8 +26,6 @@ pub struct Log {
     pub duration: [BigRational; 2],
     /// Whether the log says so itself; if not, every interval counts as one period.
     pub is_timed: bool,
-    /// How many intervals are surely faster than the speed up to which the verdict is, where it is up to one.
-    pub faster: u64,
     /// Whether the wall is passive at the same speeds with a sampling period as long as the longest interval.
     pub may_be_late: bool,
 }
@@ -40,14 +37,10 @@ impl Log {
         study: &Study,
         dialect: &Dialect,
     ) -> Result<Self, CaseError> {
-        let bound = study.report().speed_bound.as_ref();
-        let bound = bound.filter(|_| study.has_speed_limit());
-        let mut speeds = bound.map(|bound| Speeds::new(bound.hi().clone()));
         let (source, audit) = Source::bound(recording, |path| {
             let options = Options {
                 dialect: dialect.clone(),
                 without_rows: true,
-                rows: speeds.as_mut().map(|speeds| speeds as _),
                 ..Options::default()
             };
             let found = audit(path, &study.scene, options);
@@ -66,7 +59,6 @@ impl Log {
                 Some(periods) => [periods.clone(), periods],
                 None => untimed(&report),
             },
-            faster: speeds.map_or(0, |speeds| speeds.faster),
             may_be_late: match &report.timing {
                 Some(timing) if timing.late > 0 => is_passive_with(&timing.longest, study),
                 _ => true,
@@ -262,14 +254,6 @@ impl Log {
         let totals = &self.report.totals;
         let all_of = self.report.intervals;
         match (totals.criterion_fails, totals.criterion_depends) {
-            (0, _) if self.faster > 0 => see(
-                "A-SPEED",
-                false,
-                format!(
-                    "{} of {all_of} intervals are faster than `operator.max_speed`, up to which the verdict is",
-                    self.faster
-                ),
-            ),
             (0, 0) => see(
                 "A-SPEED",
                 true,
@@ -350,7 +334,24 @@ fn untimed(report: &Report) -> [BigRational; 2] {
 }
 
 /// Whether the wall is passive, at the same speeds, with a tolerance of the period that allows an interval of so many.
+///
+/// A tolerance is of a period that is the same throughout, by which virtual damping and filters divide; of a late sample they
+/// divide by the period that they were made for. So nothing is said of what depends on the period.
 fn is_passive_with(longest: &BigRational, study: &Study) -> bool {
+    const FOLLOW_THE_PERIOD: [Effect; 6] = [
+        Effect::Damping,
+        Effect::DampingFilter,
+        Effect::Controller,
+        Effect::Latency,
+        Effect::Amplifier,
+        Effect::Arm,
+    ];
+    if FOLLOW_THE_PERIOD
+        .iter()
+        .any(|effect| study.scene.has(*effect))
+    {
+        return false;
+    }
     let mut scene = study.scene.clone();
     let period = &mut scene.given.period;
     let longest = period.nominal.clone() * Exact::of(longest);

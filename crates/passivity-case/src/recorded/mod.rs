@@ -7,7 +7,6 @@
 
 mod identification;
 mod log;
-mod speeds;
 
 use std::path::Path;
 

@@ -29,13 +29,20 @@ pub(super) fn write(document: &mut Document, case: &Case) {
         .studies
         .iter()
         .filter_map(|study| study.recorded.as_ref());
-    let options = recordings
+    let written: fn(String) -> String = |word| format!(" \\\n    {word}");
+    let options: String = recordings
         .flat_map(words)
-        .chain(case.options.iter().cloned());
-    let options: String = options.map(|word| format!(" \\\n    {word}")).collect();
+        .chain(case.options.iter().cloned())
+        .map(written)
+        .collect();
+    // Where the sources are is asked when a case is compared, too.
+    let is_of_sources =
+        |word: &&String| word.starts_with("--root ") || word.starts_with("--evidence ");
+    let of_check = case.options.iter().filter(is_of_sources).cloned();
+    let of_check: String = of_check.map(written).collect();
     document.blocks.push(Block::Listing(format!(
         "make prove\npassivity check {scenes}\n{}passivity case {scenes} --out case{options}\n\
-         passivity case --check case",
+         passivity case --check case{of_check}",
         explain.collect::<String>(),
     )));
     let commit = match &case.records.commit {
