@@ -63,15 +63,7 @@ pub(crate) struct Table<R> {
 impl<R: Real> Flow<R> {
     /// The table of a piece of length `h`, at most that of the flow.
     pub(super) fn table(&self, h: &R) -> Table<R> {
-        match (&self.rate, &self.arm) {
-            (Some(_), Some(_)) => self.table_with::<true, true>(h),
-            (Some(_), None) => self.table_with::<true, false>(h),
-            (None, Some(_)) => self.table_with::<false, true>(h),
-            (None, None) => self.table_with::<false, false>(h),
-        }
-    }
-
-    fn table_with<const LAG: bool, const ARM: bool>(&self, h: &R) -> Table<R> {
+        let (has_lag, has_arm) = (self.rate.is_some(), self.arm.is_some());
         let per_mass = h.clone().over(self.mass.clone());
         let times = |x: Option<&R>, y: &R| x.map_or_else(R::zero, |x| x.clone() * y.clone());
         let (damping, stiffness) = match &self.arm {
@@ -86,7 +78,7 @@ impl<R: Real> Flow<R> {
         let one = h.whole(1);
         let mut decay = one.clone();
         // The coefficients of E, and of x from V, E and w alone.
-        let mut output = if LAG { one.clone() } else { R::zero() };
+        let mut output = if has_lag { one.clone() } else { R::zero() };
         let mut ways = [one.clone(), R::zero(), R::zero()].map(|c| vec![R::zero(), c]);
         let count = power::terms(h.bits(), 1);
         for n in 2..count {
@@ -98,12 +90,12 @@ impl<R: Real> Flow<R> {
                     continue; // There are two from the start.
                 };
                 pull = pull - rates.damping.clone() * latest.clone() * R::integer(n - 1);
-                if ARM {
+                if has_arm {
                     pull = pull - rates.stiffness.clone() * before.clone();
                 }
                 way.push(pull * share.clone());
             }
-            if LAG {
+            if has_lag {
                 output = -(output * rates.output.clone()) * h.ratio(1, n - 1);
                 decay = decay + output.clone();
             }
@@ -118,7 +110,7 @@ impl<R: Real> Flow<R> {
                 *latest = latest.clone().widened(&(latest.abs() + more));
             }
         }
-        let decay = match LAG {
+        let decay = match has_lag {
             true => decay.widened(&output),
             false => R::zero(),
         };

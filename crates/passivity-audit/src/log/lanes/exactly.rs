@@ -52,6 +52,10 @@ pub(super) trait Written {
     /// Where the samples of the log are.
     type Samples: ?Sized;
 
+    /// Whether numbers of a row are added up before they are multiplied, for which 128 bits may be too short where they
+    /// differ much in size.
+    const MAY_BE_LONG: bool;
+
     /// Writes a row in numbers of this kind; `None` where these are too short, or it is left open.
     fn write_as<T: Read>(
         &self,
@@ -83,9 +87,15 @@ pub(super) trait Written {
         (room, out): (&mut [u8; Line::ROOM], &mut Vec<u8>),
     ) -> Option<()> {
         let line = &mut Line::new(room, 0);
-        self.write_as::<i64>(row, length, form, line)
-            .or_else(|| self.write_widely::<Dyadic<i128>>(row, length, form, line))
-            .or_else(|| self.write_widely::<Dyadic<I256>>(row, length, form, line))?;
+        let written = self
+            .write_as::<i64>(row, length, form, line)
+            .or_else(|| self.write_widely::<Dyadic<i128>>(row, length, form, line));
+        if written.is_none() {
+            if !Self::MAY_BE_LONG {
+                return None;
+            }
+            self.write_widely::<Dyadic<I256>>(row, length, form, line)?;
+        }
         out.extend_from_slice(line.text());
         Some(())
     }

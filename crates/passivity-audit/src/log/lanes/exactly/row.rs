@@ -24,6 +24,8 @@ impl<const N: usize> Sum<N> {
 impl Written for Exactly {
     type Samples = Readings;
 
+    const MAY_BE_LONG: bool = false;
+
     #[inline(always)]
     fn write_as<T: Read>(
         &self,

@@ -26,6 +26,8 @@ struct Interval<T> {
 impl Written for Counts {
     type Samples = [i64];
 
+    const MAY_BE_LONG: bool = true;
+
     #[inline(always)]
     fn write_as<T: Read>(
         &self,
