@@ -127,6 +127,20 @@ fn is_none_of(kind: Kind, heading: &Heading, column: usize, preview: &Preview) -
     may_number_rows || units::is_of_another(kind, &heading.name)
 }
 
+/// Whether a column is taken for a force by nothing but a word of command, or a unit, in the place of its name.
+pub(crate) fn is_only_command(
+    found: &Found,
+    headings: &[Heading],
+    preview: &Preview,
+    scene: &Scene,
+) -> bool {
+    let is_it = |heading: &Heading| {
+        may_be_force(heading, found.column, preview, scene)
+            && called(Kind::Force, heading, scene.motion) < LIKELY
+    };
+    found.role == Role::F && headings.get(found.column).is_some_and(is_it)
+}
+
 /// Whether the name of a column gives a unit of force, wherever it stands.
 fn has_force(heading: &Heading) -> bool {
     let unit = split(&heading.name).ok().and_then(|split| split.unit);
@@ -149,12 +163,13 @@ pub(crate) fn unreadable(
         let free = columns.filter(|(column, _)| !said.iter().any(|f| f.column == *column));
         let called = free.filter_map(|(column, heading)| {
             let mut score = called(kind, heading, scene.motion);
-            if kind == Kind::Force && (has_force(heading) || may_be_force(heading, column, preview))
+            if kind == Kind::Force
+                && (has_force(heading) || may_be_force(heading, column, preview, scene))
             {
                 score += LIKELY;
             }
             let is_time = kind == Kind::Time;
-            let has_lengths = is_time && lengths::has_lengths(heading, column, preview);
+            let has_lengths = is_time && lengths::has_lengths(heading, column, preview, scene);
             if has_lengths || is_time && is_counter(headings, preview, column) {
                 score = LIKELY;
             } else if is_time && preview.still(column).is_some() {
@@ -162,8 +177,9 @@ pub(crate) fn unreadable(
                 let has_unit = own_unit(kind, heading, scene.motion).is_some();
                 score -= if has_unit { 1 } else { 3 };
             }
-            let are_periods = has_lengths && lengths::are_periods(heading, column, preview, scene);
-            if are_periods || is_none_of(kind, heading, column, preview) {
+            let is_passed_over =
+                is_time && lengths::is_passed_over(headings, column, preview, scene);
+            if is_passed_over || is_none_of(kind, heading, column, preview) {
                 return None;
             }
             let why = held(kind, headings, column, preview, scene).err()?;

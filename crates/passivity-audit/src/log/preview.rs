@@ -125,6 +125,16 @@ impl Preview {
         self.column(column).all(|x| x == Some(0.0))
     }
 
+    /// Whether a column has no more than three values, all of them whole, as a flag or a mode does.
+    pub(crate) fn is_mode(&self, column: usize) -> bool {
+        const MOST: usize = 3;
+        let mut values = self.numbers(column);
+        values.extend(self.later(column));
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        self.is_whole(column) && values.len() <= MOST
+    }
+
     /// Whether these rows may not be all that there are.
     pub(crate) fn may_go_on(&self) -> bool {
         self.columns.iter().any(|fields| fields.len() >= Self::ROWS)

@@ -5,7 +5,7 @@ use passivity_scene::Scene;
 
 use super::kind::Kind;
 use super::score::{called, score};
-use super::words::{HELD, words};
+use super::words::{HELD, NOT_MEASURED, OF_ANOTHER, PERHAPS_WANTED, words};
 use super::{is_called_a_count, role};
 use crate::log::columns::{Found, Role};
 use crate::log::error::shown;
@@ -43,13 +43,18 @@ fn is_rival(
     };
     let called = |heading| called(kind, heading, scene.motion);
     let own = headings.get(found.column).map_or(0, called);
-    let is_held = || {
-        let words = words(&heading.name);
-        called(heading) >= NAMED && words.iter().any(|word| HELD.contains(&word.as_str()))
-    };
+    let words = words(&heading.name);
+    let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
+    let is_held = found.role == Role::F && has(&HELD);
+    let is_wanted = has(&NOT_MEASURED) || has(&PERHAPS_WANTED);
+    // Nothing that stands still, that numbers the rows, too, or that is said to be something else than what was there.
+    let is_none = !preview.moves(column) || numbers_rows(column, preview) || has(&OF_ANOTHER);
+    if is_none || is_wanted && !is_held {
+        return false;
+    }
     match found.role {
-        Role::Count if numbers_rows(found.column, preview) => true,
-        Role::F => is_held(),
+        Role::Count if numbers_rows(found.column, preview) => called(heading) >= NAMED,
+        Role::F => is_held && called(heading) >= NAMED,
         _ => {
             let other = role(kind, headings, column, preview, scene);
             let is_alike = other.is_some_and(|other| other.role == found.role);
@@ -60,16 +65,20 @@ fn is_rival(
     }
 }
 
-/// Whether a column goes on by the same step in each row, as the number of a row does.
+/// Whether a column is the number of the row, from 0 or 1 on, of as many rows as tell: an encoder that moves evenly is none.
 fn numbers_rows(column: usize, preview: &Preview) -> bool {
-    preview.is_even(column) && preview.increases(column) && preview.no_number(column).is_none()
+    let is_start = preview
+        .first(column)
+        .is_some_and(|first| first == 0.0 || first == 1.0);
+    let is_next = preview.is_even(column) && preview.step(column) == Some(1.0);
+    is_start && is_next && preview.no_number(column).is_none()
 }
 
 /// Why a column that is called as a role is may not be meant.
 pub(crate) fn why_in_doubt(found: &Found, preview: &Preview) -> &'static str {
     match found.role {
         Role::Count if numbers_rows(found.column, preview) => {
-            "goes on by the same step in each row, as the number of a row does, and may be no position"
+            "is the number of the row in each of the first rows, and may be no position"
         }
         Role::F => "may be another force than the one that was held",
         _ => "may be another position than the one that was measured",

@@ -79,18 +79,27 @@ pub(super) fn called(kind: Kind, heading: &Heading, motion: Motion) -> i32 {
 }
 
 /// Whether a column without a unit may be a force by what else it is called: as a command is, or by the unit alone. One
-/// of text has commands of another kind, and one that rises by whole numbers is `N`, their number.
-pub(super) fn may_be_force(heading: &Heading, column: usize, preview: &Preview) -> bool {
+/// of text has commands of another kind, one that rises by whole numbers is `N`, their number, and one of few whole numbers
+/// is a flag or a mode.
+pub(super) fn may_be_force(
+    heading: &Heading,
+    column: usize,
+    preview: &Preview,
+    scene: &Scene,
+) -> bool {
     let has_unit = split(&heading.name).map_or(true, |split| split.unit.is_some());
-    let is_number = preview.is_whole(column) && preview.increases(column) && preview.moves(column);
-    if has_unit || is_number || preview.no_number(column).is_some() {
+    let is_number = preview.is_whole(column) && preview.increases(column);
+    let is_none = !preview.moves(column) || is_number || preview.is_mode(column);
+    if has_unit || is_none || preview.no_number(column).is_some() {
         return false;
     }
     let words = words(&heading.name);
     let is_in = |list: &[&str], word: &String| list.contains(&word.as_str());
     let is_known = |word: &String| is_in(&COMMANDED, word) || is_in(&COMMANDER, word);
     let is_command = words.iter().all(is_known) && words.iter().any(|word| is_in(&COMMANDED, word));
-    is_command || is_unit_of_force(&heading.name)
+    let is_unit = is_unit_of_force(&heading.name)
+        && units::said(Kind::Force, &heading.name, scene.motion).is_ok();
+    is_command || is_unit
 }
 
 /// How much what a column holds looks like a kind; or why it cannot be of that kind.
@@ -106,12 +115,12 @@ pub(super) fn held(
     if let Some(why) = side::not_at_device(kind, heading, column, preview, scene) {
         return Err(why);
     }
-    if let Some(why) = preview.without_number(column) {
-        return Err(why);
-    }
     if kind == Kind::Time
         && let Some(why) = lengths::no_clock(headings, column, preview, scene)
     {
+        return Err(why);
+    }
+    if let Some(why) = preview.without_number(column) {
         return Err(why);
     }
     match (own_unit(kind, heading, scene.motion).as_deref(), kind) {
@@ -175,7 +184,7 @@ pub(super) fn score(
     }
     let mut score = held(kind, headings, column, preview, scene).ok()?;
     score += called(kind, heading, scene.motion);
-    if kind == Kind::Force && may_be_force(heading, column, preview) {
+    if kind == Kind::Force && may_be_force(heading, column, preview, scene) {
         score += LIKELY;
     }
     match counter(headings, preview, column).filter(|_| kind == Kind::Time) {

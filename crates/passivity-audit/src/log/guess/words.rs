@@ -64,6 +64,32 @@ pub(super) const NOT_MEASURED: [&str; 59] = [
     "指令",
 ];
 
+/// What is said of a position or a force that is not the one which was there, beside those: what a program has made, errors,
+/// and what is in or at the virtual wall.
+pub(super) const OF_ANOTHER: [&str; 21] = [
+    "error",
+    "err",
+    "wall",
+    "proxy",
+    "cursor",
+    "pointer",
+    "avatar",
+    "penetration",
+    "depth",
+    "surface",
+    "contact",
+    "sim",
+    "simulated",
+    "simulation",
+    "model",
+    "virtual",
+    "predicted",
+    "expected",
+    "ref",
+    "reference",
+    "limit",
+];
+
 /// Letters that are behind many a wanted motion, as in `x_d` and `pos_r`, but say other things, too.
 pub(super) const PERHAPS_WANTED: [&str; 2] = ["d", "r"];
 

@@ -220,12 +220,13 @@ pub(super) fn proposal(
         }
     };
     let in_unit = format!("positions are in {of_positions}");
+    let typed = |found: &[Found]| guess::propose(found, headings).map(|it| it.columns);
     // What the header leaves open as well: where each is meant, and what it makes of the columns.
     let mut ways: Vec<(Vec<String>, Vec<Found>)> = vec![(Vec::new(), all.clone())];
     let mut leaves_open = |condition: &str, other: &dyn Fn(&[Found]) -> Vec<Found>| {
         for (conditions, found) in ways.clone() {
             let found = other(&found);
-            if ways.iter().all(|(_, own)| *own != found) {
+            if ways.iter().all(|(_, own)| typed(own) != typed(&found)) {
                 let conditions = conditions.into_iter().chain([condition.to_owned()]);
                 ways.push((conditions.collect(), found));
             }
@@ -246,13 +247,28 @@ pub(super) fn proposal(
     if all.iter().any(|it| it.role == Role::X && is_assumed(it)) {
         leaves_open(&in_unit, &|found| found.iter().map(in_other_unit).collect());
     }
+    let is_only_command =
+        |it: &&Found| !is_said(it) && guess::is_only_command(it, headings, preview, scene);
+    if let Some(force) = all.iter().find(is_only_command) {
+        let name = headings.get(force.column).map_or("", |it| it.name.trim());
+        leaves_open(
+            &format!("`{}` is no force", shown(name.as_bytes())),
+            &|found| {
+                found
+                    .iter()
+                    .filter(|it| it.role != Role::F)
+                    .cloned()
+                    .collect()
+            },
+        );
+    }
     for plain in in_doubt.iter().filter(|plain| !is_said(plain)) {
         leaves_open(&guess::plain_is_meant(plain, headings), &|found| {
             guess::with_plain(plain, found)
         });
     }
     for (conditions, found) in ways.into_iter().skip(1) {
-        let columns = guess::propose(&found, headings)?.columns;
+        let columns = typed(&found)?;
         if is_read(&columns) {
             let condition = conditions.join(" and ");
             proposal.otherwise.push(Otherwise { condition, columns });

@@ -296,10 +296,8 @@ fn forces_that_are_called_by_their_unit_or_as_a_command_are_not_passed_over() {
         assert_eq!(proposed_on_rotary(&log), columns);
         audited_on(&rotary(), &log, Some(&columns)).unwrap();
     }
-    // One of the scene's other motion cannot be read.
-    let error = refused(&log("Nm", forces), None);
-    assert_eq!(error.proposal, None, "{error}");
-    // Voltages and currents, motions, commands in words and the number of a row are none.
+    // Voltages and currents, motions, commands in words and the number of a row are none; nor are units of the scene's
+    // other motion, flags, modes, and what stands in each row.
     let numbers = ["0", "1", "2"];
     for (name, values) in [
         ("u [V]", forces),
@@ -307,8 +305,30 @@ fn forces_that_are_called_by_their_unit_or_as_a_command_are_not_passed_over() {
         ("pos_cmd [mm]", forces),
         ("command", ["start", "", "stop"]),
         ("N", numbers),
+        ("Nm", forces),
+        ("N", ["16", "16", "16"]),
+        ("u", ["0.5", "0.5", "0.5"]),
+        ("out", ["0", "0", "0"]),
+        ("output", ["0", "1", "0"]),
+        ("control", ["1", "1", "1"]),
+        ("ctrl", ["2", "5", "3"]),
+        ("cmd", ["-1", "1", "0"]),
     ] {
         audited(&log(name, values), None).unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+    let in_each = "t [s],x [rad],N\n0,0,16\n0.001,0.1,16\n0.002,0.2,16\n";
+    audited_on(&rotary(), in_each, None).unwrap();
+    // What only a command is called by is the force, or none.
+    for (name, condition) in [("u", Some("`u` is no force")), ("f_cmd", None)] {
+        let ways = refused(&log(name, forces), None)
+            .proposal
+            .unwrap()
+            .otherwise;
+        let conditions = ways.iter().map(|way| way.condition.as_str());
+        assert_eq!(conditions.collect::<Vec<_>>(), Vec::from_iter(condition));
+        let columns = ways.iter().map(|way| way.columns.as_str());
+        let expected = condition.map(|_| "t=t [s], x=x [mm]");
+        assert_eq!(columns.collect::<Vec<_>>(), Vec::from_iter(expected));
     }
     // Where no position is known, the force stands in what is to be filled in.
     let log = "tiempo_us,codificador,par_motor\n0,0,0.5\n1000,3,0.25\n2000,1,0\n";

@@ -23,29 +23,22 @@ fn ways(scene: &Scene, log: &str) -> (String, Vec<(String, String)>, String) {
 
 #[test]
 fn a_count_that_numbers_the_rows_is_not_taken_for_the_encoder_s_beside_a_position() {
-    for (name, first, step, columns) in [
-        ("angle [deg]", 0, 1, "x=angle [deg]"),
-        ("angle_deg", 1, 1, "x=angle_deg"),
-        ("theta", 0, 1, "x=theta [rad]"),
-        ("pos [rad]", 5000, 1, "x=pos [rad]"),
-        ("position [rad]", 0, 10, "x=position [rad]"),
-        ("enc_angle [deg]", 0, 1, "x=enc_angle [deg]"),
+    for (name, first, columns) in [
+        ("angle [deg]", 0, "x=angle [deg]"),
+        ("angle_deg", 1, "x=angle_deg"),
+        ("theta", 0, "x=theta [rad]"),
+        ("enc_angle [deg]", 0, "x=enc_angle [deg]"),
     ] {
         for rows in [4, 40] {
             let names = format!("count,{name}");
-            let log = log(&names, rows, |i| {
-                format!("{},{}.5", first + i * step, i % 3)
-            });
+            let log = log(&names, rows, |i| format!("{},{}.5", first + i, i % 3));
             let (proposed, ways, message) = ways(&rotary(), &log);
             // Of many rows it may also be the number of the sample.
-            let numbers = match (rows, step) {
-                (40, 1) => "tau=count, ",
-                _ => "",
-            };
+            let numbers = if rows == 40 { "tau=count, " } else { "" };
             assert_eq!(proposed, format!("{numbers}{columns}"));
             let plain = ways.iter().find(|(_, columns)| columns == "count=count");
             assert_eq!(plain.unwrap().0, "`count` is the position");
-            let says = "the column `count` goes on by the same step in each row";
+            let says = "the column `count` is the number of the row in each of the first rows";
             assert!(message.contains(says), "{message}");
             for columns in [columns, "count=count"] {
                 audited_on(&rotary(), &log, Some(columns)).unwrap();
@@ -73,10 +66,62 @@ fn a_count_that_numbers_the_rows_is_not_taken_for_the_encoder_s_beside_a_positio
 }
 
 #[test]
+fn a_count_is_read_that_only_moves_evenly_or_stands_beside_what_is_no_measured_position() {
+    let is_read = |names: &str, row: &dyn Fn(u32) -> String| {
+        let log = log(names, 24, row);
+        let audit = audited_on(&rotary(), &log, None);
+        let audit = audit.unwrap_or_else(|error| panic!("{names}: {error}"));
+        let other = names.split(',').next_back().unwrap();
+        assert_eq!(audit.report().not_read, [other]);
+    };
+    // An encoder at constant speed.
+    for (first, step) in [(5000, 1), (0, 10), (0, 2), (2, 1)] {
+        is_read("count,angle [deg]", &|i| {
+            format!("{},{}.5", first + i * step, i % 3)
+        });
+    }
+    for name in [
+        "wall_pos [rad]",
+        "x_ref [rad]",
+        "x_d [rad]",
+        "angle_desired [deg]",
+        "target_position [rad]",
+        "position_error [rad]",
+        "theta_err [rad]",
+        "penetration [rad]",
+        "proxy_pos [rad]",
+        "cursor_pos [rad]",
+        "x_sim [rad]",
+    ] {
+        is_read(&format!("count,{name}"), &|i| format!("{i},{}.5", i % 3));
+    }
+    // One that stands still, and another number of the row.
+    is_read("count,angle [deg]", &|i| format!("{i},0.5"));
+    for step in [1, 2] {
+        is_read("t [ms],count,tick", &|i| format!("{i},{},{i}", i * step));
+    }
+}
+
+#[test]
+fn no_command_is_proposed_twice_for_a_count_that_numbers_the_rows() {
+    let log = log("count,angle", 24, |i| format!("{i},{}.5", i % 3));
+    let (proposed, ways, message) = ways(&rotary(), &log);
+    let all: Vec<&str> = ways.iter().map(|(_, columns)| columns.as_str()).collect();
+    assert_eq!(proposed, "tau=count, x=angle [rad]");
+    let expected = [
+        "x=angle [rad]",
+        "tau=count, x=angle [deg]",
+        "x=angle [deg]",
+        "count=count",
+    ];
+    assert_eq!(all, expected, "{message}");
+}
+
+#[test]
 fn a_force_that_is_commanded_is_not_passed_over_for_one_called_f() {
     for name in ["force_cmd [N]", "motor_force [N]", "F applied [N]"] {
         let log = log(&format!("t [s],count,f [N],{name}"), 4, |i| {
-            format!("0.00{i},{},0,1", i % 2)
+            format!("0.00{i},{},0,{}", i % 2, i % 2)
         });
         let (proposed, ways, message) = ways(&scene(), &log);
         assert_eq!(proposed, format!("t=t [s], count=count, f={name}"));

@@ -96,8 +96,9 @@ fn lengths_of_intervals_are_not_passed_over_for_rows_one_period_apart() {
                     "the column `{name}` cannot be read as a clock: it seems to have the lengths"
                 ),
                 "all rows are taken to be one sampling period apart",
+                "of a log of one line of names and rows of numbers below it",
                 &format!(
-                    "`awk -F',' -v OFS=',' 'NR == 1 {{print \"t_{unit}\", $0; next}} {{t += $2; print sprintf(\"%.9f\", t), $0}}' \
+                    "`awk -F',' -v OFS=',' 'NR == 1 {{print \"t_{unit}\", $0; next}} NR > 2 {{t += $2}} {{print sprintf(\"%.9f\", t), $0}}' \
                      log.csv > timed.csv` where each is the time since the row before"
                 ),
             ] {
@@ -113,11 +114,44 @@ fn lengths_of_intervals_are_not_passed_over_for_rows_one_period_apart() {
             audited(&log, None).unwrap_or_else(|error| panic!("{name}: {error}"));
         }
     }
+    // Before the first row there is no other.
+    for first in ["0", "NaN", ""] {
+        let log = format!("count,dt [us]\n0,{first}\n60,5000\n0,5003\n60,5000\n");
+        let error = refused(&log, None).to_string();
+        assert!(error.contains("the lengths of the intervals"), "{error}");
+        let one = log.replace("500", "100").replace("1003", "1000");
+        audited(&one, None).unwrap_or_else(|error| panic!("{first}: {error}"));
+    }
     // As `awk` makes it.
-    let timed = "t_us,count,dt [us]\n5000.000000000,0,5000\n10000.000000000,60,5000\n";
+    let timed = "t_us,count,dt [us]\n0.000000000,0,NaN\n5000.000000000,60,5000\n";
     let report = audited(timed, None).unwrap().to_json();
-    let expected = audited("t [ms],count,dt [us]\n5,0,5000\n10,60,5000\n", None).unwrap();
+    let expected = audited("t [ms],count,dt [us]\n0,0,NaN\n5,60,5000\n", None).unwrap();
     assert_eq!(report, expected.to_json());
+}
+
+/// What a controller took for its work is no time from row to row, and what stands in each row is no clock.
+#[test]
+fn short_lengths_and_settings_are_passed_over() {
+    for (name, values) in [
+        ("loop_us", ["40", "40", "40", "40"]),
+        ("loop_us", ["0", "40", "43", "39"]),
+        ("cycle_time_us", ["40", "41", "900", "39"]),
+        ("dt [us]", ["450", "450", "450", "450"]),
+        ("loop_time", ["40", "40", "40", "40"]),
+        ("start_time", ["5", "5", "5", "5"]),
+        ("start_time [s]", ["5", "5", "5", "5"]),
+        ("interval", ["5", "5", "5", "5"]),
+        ("period", ["2", "2", "2", "2"]),
+    ] {
+        let rows = values.map(|value| format!("0,{value}\n")).concat();
+        let audit = audited(&format!("count,{name}\n{rows}"), None);
+        let audit = audit.unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(audit.report().not_read, [name]);
+    }
+    // The seconds of a clock in two columns stand, too.
+    let parts = "stamp.sec,stamp.nanosec,count\n7,0,0\n7,1000000,1\n7,2000000,0\n";
+    let columns = proposed(parts, None);
+    assert!(columns.contains("stamp.nanosec"), "{columns}");
 }
 
 #[test]
