@@ -53,7 +53,7 @@ fn is_rival(
         return false;
     }
     match found.role {
-        Role::Count if numbers_rows(found.column, preview) => called(heading) >= NAMED,
+        Role::Count => numbers_rows(found.column, preview) && called(heading) >= NAMED,
         Role::F => is_held && called(heading) >= NAMED,
         _ => {
             let other = role(kind, headings, column, preview, scene);
@@ -75,11 +75,9 @@ fn numbers_rows(column: usize, preview: &Preview) -> bool {
 }
 
 /// Why a column that is called as a role is may not be meant.
-pub(crate) fn why_in_doubt(found: &Found, preview: &Preview) -> &'static str {
+pub(crate) fn why_in_doubt(found: &Found) -> &'static str {
     match found.role {
-        Role::Count if numbers_rows(found.column, preview) => {
-            "is the number of the row in each of the first rows, and may be no position"
-        }
+        Role::Count => "is the number of the row in each of the first rows, and may be no position",
         Role::F => "may be another force than the one that was held",
         _ => "may be another position than the one that was measured",
     }

@@ -45,7 +45,7 @@ pub(super) fn not_read(
     }));
     let in_doubt = guess::in_doubt(headings, preview, scene);
     said.extend(in_doubt.iter().map(|found| {
-        let why = guess::why_in_doubt(found, preview);
+        let why = guess::why_in_doubt(found);
         format!("the column {} {why}", name(found.column))
     }));
     let cannot_be_read = |column: usize, why: &str, put_right: &str| {

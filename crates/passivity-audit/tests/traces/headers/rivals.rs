@@ -95,6 +95,7 @@ fn a_count_is_read_that_only_moves_evenly_or_stands_beside_what_is_no_measured_p
     ] {
         is_read(&format!("count,{name}"), &|i| format!("{i},{}.5", i % 3));
     }
+    is_read("count,encoder_b", &|i| format!("{},{}", i % 2, i % 3));
     // One that stands still, and another number of the row.
     is_read("count,angle [deg]", &|i| format!("{i},0.5"));
     for step in [1, 2] {
