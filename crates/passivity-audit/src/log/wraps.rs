@@ -19,6 +19,7 @@
 
 use multiversion::multiversion;
 use passivity_scene::Scene;
+use passivity_scene::display::figures;
 use serde::{Deserialize, Serialize};
 
 use crate::log::chunk::{Chunk, Samples};
@@ -374,6 +375,15 @@ impl Wrapped {
             Some((turn, _)) => format!("{turn} ({period} ticks)"),
             None => format!("{period} ticks ({} bits)", period.log2()),
         };
+        // A position in units is not in revolutions, nor in ticks.
+        let amount = match layout.form {
+            Form::X => format!(
+                "{by} (about {} in `{}`)",
+                figures(period / layout.scale().size(), 6),
+                layout.name(layout.position)
+            ),
+            _ => by.clone(),
+        };
         let more = match self.count {
             0 | 1 => String::new(),
             2 => ", and so once more".to_owned(),
@@ -387,7 +397,7 @@ impl Wrapped {
                 row.saturating_sub(1)
             ),
             fix: format!(
-                "unwrap the {what} in the log{must}: {} {by} from row {row} on, or {} {by} up to \
+                "unwrap the {what} in the log{must}: {} {amount} from row {row} on, or {} as much up to \
                  row {}",
                 if to < from { "add" } else { "take off" },
                 if to < from { "take off" } else { "add" },

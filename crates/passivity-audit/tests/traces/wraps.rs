@@ -187,6 +187,28 @@ fn a_counter_that_wraps_around_is_found_at_its_row() {
 }
 
 #[test]
+fn what_is_added_to_a_position_in_units_is_in_its_unit() {
+    let turn = std::f64::consts::TAU / 10.0;
+    for (name, scene, numbers, says) in [
+        (
+            "x [rad]",
+            GEARED,
+            around(turn, 0.0, turn - 0.01, 0.001),
+            "add one revolution of the motor (about 0.628319 in `x [rad]`) from row 11 on, or take off as much up to row 10",
+        ),
+        (
+            "x [deg]",
+            ROTARY,
+            around(360.0, 0.0, 359.5, 0.05),
+            "add one revolution (about 360 in `x [deg]`) from row 11 on",
+        ),
+    ] {
+        let wrap = found(&column(name, numbers), scene, 0).1.unwrap();
+        assert!(wrap.fix.contains(says), "{}", wrap.fix);
+    }
+}
+
+#[test]
 fn a_wrap_leaves_open_what_would_hold() {
     // The force takes out at the counter's end what the jump gives as friction.
     let (up, down) = ("4095,0\n", "0,0\n");
