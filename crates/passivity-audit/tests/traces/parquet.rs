@@ -378,3 +378,21 @@ fn lists_are_named() {
         "{error}"
     );
 }
+
+#[test]
+fn doubles_that_are_whole_ticks_apart_have_no_few_digits() {
+    let scene = "[device]\nviscous = \"0.48 N s/m\"\ncoulomb = \"0.008 N\"\n[sampling]\nperiod = \"1 ms\"\n\
+                 [encoder]\nresolution = \"0.25 mm\"\n[wall]\nstiffness = \"32 N/m\"\n";
+    let at = (0..90).map(|i| f64::from(i * i % 7) * 0.25);
+    let log = write(
+        &[("x_mm", Column::Double(at.collect()))],
+        Compression::UNCOMPRESSED,
+    );
+    let scene = Scene::from_toml("s", scene).unwrap();
+    let audit = audit(&log, &scene, Options::default()).unwrap();
+    let kinds: Vec<_> = audit.report().findings.iter().map(|it| it.kind).collect();
+    assert_eq!(
+        (audit.error(), &kinds[..]),
+        (None, &["counted_positions"][..])
+    );
+}

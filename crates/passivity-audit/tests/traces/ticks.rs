@@ -105,6 +105,11 @@ fn other_positions_are_true_ones() {
     let rest = (0..200).map(|i| 0.01 * f64::from(i / 100));
     let creep = (0..200).map(|i| 1e-4 * f64::from(i));
     let last = counts(64).map(|n| n * 0.01).chain([0.0149]);
+    // Eleven steps that are others, of 6000.
+    let eleven = (0..6000).map(|i| {
+        let off = if i % 1000 == 999 { 0.003 } else { 0.005 };
+        0.01 * f64::from(i * i % 31) + off
+    });
     for (scene, text) in [
         (
             &linear,
@@ -122,6 +127,7 @@ fn other_positions_are_true_ones() {
         (&linear, column("x [mm]", rest.map(|x| x.to_string()))),
         (&linear, column("x [mm]", creep.map(|x| x.to_string()))),
         (&linear, column("x [mm]", last.map(|x| x.to_string()))),
+        (&linear, column("x [mm]", eleven.map(|x| x.to_string()))),
         // Half of what the scene's encoder counts.
         (
             &linear,
@@ -140,6 +146,57 @@ fn other_positions_are_true_ones() {
     let smooth_loop = LINEAR.replace("[encoder]\nresolution = \"0.01 mm\"\n", "");
     let text = column("x [mm]", counts(64).map(|n| (n * 0.01).to_string()));
     assert_eq!(found(&text, &scene(&smooth_loop)), (Verdict::Holds, false));
+}
+
+#[test]
+fn positions_with_few_digits_are_whole_ticks_apart_by_these() {
+    let micro = |tick: &str| scene(&LINEAR.replace("0.01 mm", tick));
+    let smooth = |i: i32| 3.0 * (f64::from(i) / 7.0).sin();
+    let written = |decimals: usize| {
+        column(
+            "x [mm]",
+            (0..300).map(|i| format!("{:.decimals$}", smooth(i))),
+        )
+    };
+    for (tick, decimals) in [
+        ("1 um", 1),
+        ("1 um", 2),
+        ("1 um", 3),
+        ("0.25 um", 3),
+        ("0.01 mm", 1),
+        ("0.01 mm", 2),
+    ] {
+        let text = written(decimals);
+        assert!(!found(&text, &micro(tick)).1, "{tick}: {text}");
+    }
+    // A digit is 13.04 ticks of these.
+    let fine = scene(&ROTARY.replace("4096", "8192"));
+    let slow = (0..300).map(|i| format!("{:.2}", smooth(i) / 30.0));
+    assert!(!found(&column("x [rad]", slow), &fine).1);
+    // Steps of four ticks, with as many digits as one likes.
+    let four = counts(64).map(|n| format!("{:.4}", (4.0 * n + 0.5) * 0.01));
+    assert!(!found(&column("x [mm]", four), &scene(LINEAR)).1);
+    // One step of a single tick among them tells.
+    let one = counts(64).map(|n| 4.0 * n).chain([1.0, 2.0]);
+    let one = one.map(|n| format!("{:.4}", (n + 0.5) * 0.01));
+    assert!(found(&column("x [mm]", one), &scene(LINEAR)).1);
+}
+
+#[test]
+fn a_few_steps_may_be_others() {
+    let linear = scene(LINEAR);
+    let half = |samples: i32| counts(samples).map(|n| (n + 0.53) * 0.01);
+    let text = |positions: &mut dyn Iterator<Item = f64>| {
+        column("x [mm]", positions.map(|x| format!("{x:.4}")))
+    };
+    // A row of zeros before the first reading, and a row of them later.
+    let first = text(&mut std::iter::once(0.0).chain(half(320)));
+    assert_eq!(found(&first, &linear), (Verdict::Depends, true));
+    let later = text(&mut half(320).chain([0.0]).chain(half(320)));
+    assert!(found(&later, &linear).1);
+    // Of so few steps one is too many.
+    let short = text(&mut std::iter::once(0.0).chain(half(240)));
+    assert!(!found(&short, &linear).1);
 }
 
 #[test]
