@@ -369,7 +369,7 @@ pub(crate) fn of_stored(supply: &Supplied, form: Form, scene: &Scene) -> Finding
 }
 
 /// What stands out in times: that intervals are mostly as short as [`SHORT`] says, or that samples are missing in half of
-/// them.
+/// them, and on the whole.
 pub(crate) fn of_clock(timing: &Timing, intervals: u64) -> Option<Finding> {
     // One interval alone may be a motion that ended within it.
     if intervals < 2 {
@@ -377,7 +377,7 @@ pub(crate) fn of_clock(timing: &Timing, intervals: u64) -> Option<Finding> {
     }
     let unit = "check the unit of the times, and the sampling period of the scene";
     let gaps = timing.gaps;
-    if 2 * gaps >= intervals {
+    if timing.is_sparse(intervals) {
         let (n, d) = GAP;
         return Some(Finding {
             kind: "undersampled",

@@ -243,6 +243,7 @@ struct SavedTiming {
     first_missed: Option<u64>,
     range: Option<[Ratio; 2]>,
     short: [u64; 2],
+    beyond: i64,
 }
 
 /// An [`Account`].
@@ -305,6 +306,7 @@ impl SavedAccount {
                     .as_ref()
                     .map(|range| range.each_ref().map(|dtau| Ratio::of(&dtau.to_rational()))),
                 short: x.timing.short,
+                beyond: x.timing.beyond,
             },
         }
     }
@@ -329,6 +331,8 @@ impl SavedAccount {
                 .into_iter()
                 .chain(timing.first_missed)
                 .chain(timing.short)
+                // Of an interval they are fewer than 2¹⁰.
+                .chain([timing.beyond.unsigned_abs() >> 10])
                 .chain(tallies)
                 .chain(running.flat_map(|sum| [sum.at, sum.steps]))
                 .chain(lowest.map(|lowest| lowest.h))
@@ -387,6 +391,7 @@ impl SavedAccount {
                 first_missed: self.timing.first_missed,
                 range,
                 short: self.timing.short,
+                beyond: self.timing.beyond,
             },
             rows: Vec::new(),
             points: Vec::new(),

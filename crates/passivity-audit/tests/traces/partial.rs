@@ -284,11 +284,14 @@ fn a_clock_that_is_too_fast_is_found_wherever_a_log_is_cut() {
         assert_ne!(whole.verdict(), passivity_audit::Verdict::Holds);
         (log, whole)
     };
-    // Seconds, with a pause, that are read as milliseconds; and every second row of a log.
+    // Seconds, with a pause, that are read as milliseconds; every second row of a log; and two of three, in pairs.
     let too_fast = |i: u32| f64::from(i / 31 * 2000 + i) / 1000.0;
     let logs = [
         log("fast_clock", &too_fast),
         log("undersampled", &|i| f64::from(2 * i)),
+        log("undersampled", &|i| {
+            f64::from(30 * (i / 2) + 23 * (i % 2)) / 10.0
+        }),
     ];
     for ((log, whole), cut) in logs
         .iter()
@@ -307,7 +310,7 @@ fn a_clock_that_is_too_fast_is_found_wherever_a_log_is_cut() {
         let error = Partial::from_json(&older).unwrap_err().to_string();
         assert!(error.contains("missing field `short`"), "{error}");
         // One that says that it is older may lack more.
-        let older = older.replacen("partial-3", "partial-2", 1);
+        let older = older.replacen("partial-4", "partial-3", 1);
         let error = Partial::from_json(&older).unwrap_err().to_string();
         assert!(
             error.contains("another version of this program, 0.1.0"),

@@ -235,6 +235,10 @@ fn a_clock_that_is_too_fast_leaves_open_what_would_hold() {
         (Verdict::Depends, vec!["undersampled"])
     );
     assert_eq!(said("tau,xi\n0,0\n2,0\n"), (Verdict::Holds, Vec::new()));
+    assert_eq!(
+        said("tau,xi\n0,0\n1,0\n3,0\n"),
+        (Verdict::Holds, Vec::new())
+    );
     // A gap is no finding of this kind, and what fails, though friction takes 600, does so by any clock.
     assert_eq!(
         said("tau,xi\n0,0\n0.001,0\n1,1\n"),
@@ -269,7 +273,10 @@ fn a_clock_that_is_too_fast_is_found_beside_pauses() {
     type Steps<'a> = &'a dyn Fn(usize) -> f64;
     let second = |i: usize| 1.0 + (i % 2) as f64;
     let third = |i: usize| if i % 3 == 1 { 2.0 } else { 1.0 };
-    let cases: [(Steps<'_>, Option<(&str, &str)>); 14] = [
+    let pairs = |i: usize| if i % 2 == 1 { 1.6 } else { 0.4 };
+    let paused = |i: usize| if i == 200 { 2000.0 } else { pairs(i) };
+    let far_pairs = |i: usize| if i % 2 == 1 { 2.4 } else { 0.6 };
+    let cases: [(Steps<'_>, Option<(&str, &str)>); 17] = [
         (
             &even(0.001),
             Some((
@@ -303,6 +310,10 @@ fn a_clock_that_is_too_fast_is_found_beside_pauses() {
         (&second, Some(("undersampled", "200 of 400"))),
         (&third, None),
         (&even(1.4), None),
+        // Rows that come in pairs, of which none is missing but in a pause; and of which every third one is.
+        (&pairs, None),
+        (&paused, None),
+        (&far_pairs, Some(("undersampled", "200 of 400"))),
     ];
     for (column, written) in ways {
         for (case, (step, expected)) in cases.iter().enumerate() {
