@@ -35,7 +35,8 @@ pub struct Proposal {
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct Otherwise {
     /// Where it is meant: where the clock is none, as it is one only by its rise from row to row, where times or positions without
-    /// a unit are in another one than is assumed, or where a column is meant that is called `count`, `x` or `f`.
+    /// a unit are in another one than is assumed, where what is called as a command is no force, or where a column is meant that
+    /// is called `count`, `x` or `f`.
     pub condition: String,
     /// For `--columns`.
     pub columns: String,
