@@ -243,7 +243,6 @@ struct SavedTiming {
     first_missed: Option<u64>,
     range: Option<[Ratio; 2]>,
     short: [u64; 2],
-    beyond: i64,
 }
 
 /// An [`Account`].
@@ -306,7 +305,6 @@ impl SavedAccount {
                     .as_ref()
                     .map(|range| range.each_ref().map(|dtau| Ratio::of(&dtau.to_rational()))),
                 short: x.timing.short,
-                beyond: x.timing.beyond,
             },
         }
     }
@@ -331,8 +329,6 @@ impl SavedAccount {
                 .into_iter()
                 .chain(timing.first_missed)
                 .chain(timing.short)
-                // Of an interval they are fewer than 2¹⁰.
-                .chain([timing.beyond.unsigned_abs() >> 10])
                 .chain(tallies)
                 .chain(running.flat_map(|sum| [sum.at, sum.steps]))
                 .chain(lowest.map(|lowest| lowest.h))
@@ -391,7 +387,6 @@ impl SavedAccount {
                 first_missed: self.timing.first_missed,
                 range,
                 short: self.timing.short,
-                beyond: self.timing.beyond,
             },
             rows: Vec::new(),
             points: Vec::new(),

@@ -5,7 +5,6 @@ use num_traits::ToPrimitive as _;
 use passivity_core::course::First;
 
 use crate::log::lanes::Length;
-use crate::log::running::near_number;
 use crate::number::{Number, difference, is_less, is_positive};
 
 /// How long intervals were.
@@ -24,17 +23,7 @@ pub(crate) struct Timing {
     pub(crate) range: Option<[Number; 2]>,
     /// Intervals of at most as many periods as [`SHORT`] has.
     pub(crate) short: [u64; 2],
-    /// How much longer than one period each all of them are, in [`PARTS`] of a period, where none is taken for
-    /// longer than [`MOST`] periods.
-    pub(crate) beyond: i64,
 }
-
-/// Into so many parts a period is cut: with each interval in whole ones, logs in pieces come to the same.
-const PARTS: i32 = 256;
-
-/// How long, in periods, a pause of the recorder is taken for at the most: samples are missing in it, but not for that
-/// everywhere.
-const MOST: f64 = 4.0;
 
 /// How long, in periods, intervals are at the most of a clock that is too fast, and of a log with several rows of a sample.
 ///
@@ -64,10 +53,6 @@ impl Timing {
         let is_one = matches!(dtau, Number::Small(n, d) if n == d);
         if !is_one {
             self.uneven += 1;
-            self.beyond += match dtau {
-                Number::Small(n, d) => beyond(*n, *d),
-                other => beyond_one(near_number(other)),
-            };
             if is_less(&ONE, dtau) {
                 self.late += 1;
             }
@@ -112,10 +97,6 @@ impl Timing {
             }
             return;
         }
-        if uneven > 0 {
-            let each = lengths.iter().map(|Length(n, d)| beyond(*n, *d));
-            self.beyond += each.sum::<i64>();
-        }
         self.uneven += uneven;
         self.late += late;
         add_to(&mut self.short, [very, rather]);
@@ -123,15 +104,12 @@ impl Timing {
         self.widen(range.each_ref());
     }
 
-    /// Whether samples are missing on the whole: in at least half of so many intervals, which last at least as long as [`GAP`]
-    /// on average. Rows in pairs are far apart in every second interval too, and none is missing.
-    pub(crate) fn is_sparse(&self, intervals: u64) -> bool {
-        let (n, d) = GAP;
-        let least = i128::from(PARTS) * i128::from(n - d) * i128::from(intervals);
+    /// Whether samples are missing on the whole: in at least half of so many intervals, less those that are short as
+    /// [`SHORT`] says. Of rows that come in pairs every second interval is long, every other one as short, and none is missing.
+    pub(crate) const fn is_sparse(&self, intervals: u64) -> bool {
+        let [_, rather] = self.short;
         // One alone may be a pause.
-        self.gaps >= 2
-            && 2 * self.gaps >= intervals
-            && i128::from(self.beyond) * i128::from(d) >= least
+        self.gaps >= 2 && 2 * self.gaps.saturating_sub(rather) >= intervals
     }
 
     fn widen(&mut self, [shortest, longest]: [&Number; 2]) {
@@ -155,7 +133,6 @@ impl Timing {
         add_to(&mut self.short, other.short);
         self.missed = self.missed.saturating_add(other.missed);
         self.gaps += other.gaps;
-        self.beyond = self.beyond.saturating_add(other.beyond);
         let mut first = First(self.first_missed);
         first.append(First(other.first_missed), before);
         self.first_missed = first.0;
@@ -163,19 +140,6 @@ impl Timing {
             self.widen([shortest, longest]);
         }
     }
-}
-
-/// How much longer than one period a length n/d is, as [`Timing::beyond`] has it.
-#[inline(always)]
-#[expect(clippy::cast_precision_loss, reason = "it is rounded far more")]
-fn beyond(n: i64, d: i64) -> i64 {
-    beyond_one(n as f64 / d as f64)
-}
-
-#[inline(always)]
-#[expect(clippy::cast_possible_truncation, reason = "a small whole number")]
-fn beyond_one(periods: f64) -> i64 {
-    ((periods.min(MOST) - 1.0) * f64::from(PARTS)).round_ties_even() as i64
 }
 
 fn add_to(counts: &mut [u64; 2], others: [u64; 2]) {
@@ -252,7 +216,7 @@ mod tests {
                 one.add(&Number::Small(*n, *d), h);
             }
             all.add_all(&lengths, h.into());
-            prop_assert_eq!((one.uneven, one.late, one.missed, one.gaps, one.short, one.beyond), (all.uneven, all.late, all.missed, all.gaps, all.short, all.beyond));
+            prop_assert_eq!((one.uneven, one.late, one.missed, one.gaps, one.short), (all.uneven, all.late, all.missed, all.gaps, all.short));
             prop_assert_eq!((one.first_missed, one.range), (all.first_missed, all.range));
         }
     }
