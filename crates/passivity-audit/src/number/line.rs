@@ -70,9 +70,9 @@ impl<'a> Line<'a> {
         self.length
     }
 
-    /// Takes back what is written.
-    pub(crate) const fn clear(&mut self) {
-        self.length = 0;
+    /// Takes back what is written behind so many characters.
+    pub(crate) const fn truncate(&mut self, length: usize) {
+        self.length = length;
     }
 
     /// What is written.

@@ -15,6 +15,8 @@ mod row;
 use constants::{Constants, Part, parts};
 pub(super) use counts::Counts;
 
+use std::ops::Range;
+
 use ethnum::I256;
 use num_bigint::BigInt;
 use num_traits::{Signed as _, ToPrimitive as _};
@@ -47,6 +49,37 @@ fn force_at<T: Read>(forces: Option<&Readings>, unit: Option<Unit>, i: usize) ->
 /// The samples and the forces of a log, and at which sample an interval starts.
 pub(super) type Row<'a, S> = (&'a S, Option<&'a Readings>, usize);
 
+/// The row that was written last, whose end is where the next one starts.
+pub(super) struct Latest {
+    text: [u8; Line::ROOM],
+    /// Where in the text the position at its end is, with its comma.
+    end: Range<usize>,
+    /// At which sample the interval ends.
+    sample: Option<usize>,
+}
+
+impl Latest {
+    pub(super) const fn new() -> Self {
+        Self {
+            text: [0; Line::ROOM],
+            end: 0..0,
+            sample: None,
+        }
+    }
+
+    /// Begins the row of an interval that starts at this sample with the position there, if that was the end of the last
+    /// one: how long that is.
+    fn begin(&mut self, sample: usize) -> usize {
+        match self.sample.take() {
+            Some(last) if last == sample => {
+                self.text.copy_within(self.end.clone(), 0);
+                self.end.len()
+            }
+            _ => 0,
+        }
+    }
+}
+
 /// What writes rows as they are exactly.
 pub(super) trait Written {
     /// Where the samples of the log are.
@@ -56,25 +89,26 @@ pub(super) trait Written {
     /// differ much in size.
     const MAY_BE_LONG: bool;
 
-    /// Writes a row in numbers of this kind; `None` where these are too short, or it is left open.
+    /// Writes a row in numbers of this kind, on a line that may have the position at its start already: where on that the
+    /// position at its end is; `None` where these numbers are too short, or it is left open.
     fn write_as<T: Read>(
         &self,
         row: Row<'_, Self::Samples>,
         length: Length,
         form: Form,
         line: &mut Line<'_>,
-    ) -> Option<()>;
+    ) -> Option<Range<usize>>;
 
-    /// The same, on its own: of numbers that are longer than the machine's.
+    /// The same, on its own, where so much of the line was written before: of numbers that are longer than the machine's.
     #[inline(never)]
     fn write_widely<T: Read>(
         &self,
         row: Row<'_, Self::Samples>,
         length: Length,
         form: Form,
-        line: &mut Line<'_>,
-    ) -> Option<()> {
-        line.clear();
+        (line, known): (&mut Line<'_>, usize),
+    ) -> Option<Range<usize>> {
+        line.truncate(known);
         self.write_as::<T>(row, length, form, line)
     }
 
@@ -84,19 +118,21 @@ pub(super) trait Written {
         row: Row<'_, Self::Samples>,
         length: Length,
         form: Form,
-        (room, out): (&mut [u8; Line::ROOM], &mut Vec<u8>),
+        (latest, out): (&mut Latest, &mut Vec<u8>),
     ) -> Option<()> {
-        let line = &mut Line::new(room, 0);
-        let written = self
-            .write_as::<i64>(row, length, form, line)
-            .or_else(|| self.write_widely::<Dyadic<i128>>(row, length, form, line));
-        if written.is_none() {
-            if !Self::MAY_BE_LONG {
-                return None;
-            }
-            self.write_widely::<Dyadic<I256>>(row, length, form, line)?;
+        let (_, _, sample) = row;
+        let known = latest.begin(sample);
+        let line = &mut Line::new(&mut latest.text, known);
+        let mut end = self.write_as::<i64>(row, length, form, line);
+        if end.is_none() {
+            end = self.write_widely::<Dyadic<i128>>(row, length, form, (line, known));
         }
+        if end.is_none() && Self::MAY_BE_LONG {
+            end = self.write_widely::<Dyadic<I256>>(row, length, form, (line, known));
+        }
+        let end = end?;
         out.extend_from_slice(line.text());
+        (latest.end, latest.sample) = (end, sample.checked_add(1));
         Some(())
     }
 }

@@ -10,7 +10,7 @@ use multiversion::multiversion;
 use passivity_core::{Scalar as _, dissipation, generation, ledger, quantizer};
 
 use super::compute::{is_nonnegative, whole};
-use super::exactly::Written as _;
+use super::exactly::{Latest, Written as _};
 use super::{Column, Intervals, Length, TILE, Tiles, crossed, truths};
 use crate::ball::{Ball, Lane, unless};
 use crate::entry::margin_of;
@@ -274,10 +274,10 @@ pub(crate) fn write(
         || matches!(&chunk.samples, Samples::Any(samples) if samples.encloses());
     let linear = tiles.wall.as_ref().filter(|wall| wall.reach.is_none());
     let (Some(wall), FEW.., true) = (linear, rows.len(), encloses) else {
-        let mut room = [0; Line::ROOM];
+        let mut latest = Latest::new();
         return rows.into_iter().try_for_each(|i| {
             let length = tiles.lengths.get(i).copied().unwrap_or_default();
-            let to = (&mut room, &mut *out);
+            let to = (&mut latest, &mut *out);
             let written = match &chunk.samples {
                 Samples::Any(samples) => {
                     let exactly = tiles.exactly.as_ref();

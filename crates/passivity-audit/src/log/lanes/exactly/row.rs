@@ -1,5 +1,7 @@
 //! The figures of one row, from the whole numbers that it is made of.
 
+use std::ops::Range;
+
 use passivity_core::Truth;
 
 use super::super::Length;
@@ -14,10 +16,11 @@ impl<const N: usize> Sum<N> {
     /// The numerator.
     #[inline(always)]
     pub(super) fn at<T: Term>(&self, terms: [T; N]) -> Option<T::Sum> {
-        let mut products = self.factors.iter().zip(terms);
-        products.try_fold(T::Sum::zero(), |sum, (factor, term)| {
-            sum.plus(term.by(*factor)?)
-        })
+        let mut sum = T::Sum::zero();
+        for (factor, term) in self.factors.iter().zip(terms) {
+            sum = sum.plus(term.by(*factor)?)?;
+        }
+        Some(sum)
     }
 }
 
@@ -33,7 +36,7 @@ impl Written for Exactly {
         length: Length,
         form: Form,
         line: &mut Line<'_>,
-    ) -> Option<()> {
+    ) -> Option<Range<usize>> {
         let (unit_of_position, unit_of_force, over) = self.of;
         let at = |i: usize| T::read(&samples.written, i, unit_of_position);
         let force = force_at(forces, unit_of_force, i)?;
@@ -43,13 +46,21 @@ impl Written for Exactly {
             lasts: lasts_over(length, over)?,
         };
         let (ratio, _, q) = &self.position;
-        for x in row.ends {
+        let [start, end] = row.ends;
+        let position = |x: T, line: &mut Line<'_>| {
             let xi = x.by((*ratio).into())?.quotient(&self.primes, q, 1)?;
-            form.position([xi; 2], line)?;
+            form.position([xi; 2], line)
+        };
+        if line.len() == 0 {
+            position(start, line)?;
         }
+        let from = line.len();
+        position(end, line)?;
+        let end = from..line.len();
         let lasts = self.primes.quotient(row.lasts.into(), &self.lasts, 1)?;
         lasts.write(line)?;
-        form.account(&self.figures(&row)?, line)
+        form.account(&self.figures(&row)?, line)?;
+        Some(end)
     }
 }
 

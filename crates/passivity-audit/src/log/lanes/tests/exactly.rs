@@ -3,14 +3,14 @@
 use passivity_random::draws;
 use proptest::prelude::*;
 
-use super::super::exactly::Written as _;
+use super::super::exactly::{Latest, Written as _};
 use super::super::*;
 use crate::ledger::Ledger;
 use crate::log::header::Heading;
 use crate::log::layout::Layout;
 use crate::log::numbers::Numbers;
 use crate::log::preview::Preview;
-use crate::number::{Line, Number};
+use crate::number::Number;
 use crate::rows::Form;
 use passivity_scene::Scene;
 
@@ -69,10 +69,11 @@ fn written(
     let forces = applied.then_some(&read.forces.values);
     let mut found = 0;
     let rows = read.samples.len() - 1;
+    let mut latest = Latest::new();
     for i in 0..rows {
-        let (mut room, mut out) = ([0; Line::ROOM], Vec::new());
+        let mut out = Vec::new();
         let (to, length) = (
-            (&mut room, &mut out),
+            (&mut latest, &mut out),
             tiles.lengths.get(i).copied().unwrap_or_default(),
         );
         let is_written = match &read.samples {

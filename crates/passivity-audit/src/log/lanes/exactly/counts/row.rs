@@ -1,5 +1,7 @@
 //! The figures of one row between counts, from the whole numbers that it is made of.
 
+use std::ops::Range;
+
 use passivity_core::Truth;
 use passivity_core::counted::{Crossing, Resistance};
 
@@ -35,7 +37,7 @@ impl Written for Counts {
         length: Length,
         form: Form,
         line: &mut Line<'_>,
-    ) -> Option<()> {
+    ) -> Option<Range<usize>> {
         let (unit, over) = self.of;
         let force = force_at::<T>(forces, unit, i)?;
         let row = Interval {
@@ -43,12 +45,19 @@ impl Written for Counts {
             force,
             lasts: lasts_over(length, over)?,
         };
-        for n in row.counts {
-            form.position([Whole(n), Whole(n.checked_add(1)?)], line)?;
+        let [start, end] = row.counts;
+        let position =
+            |n: i64, line: &mut Line<'_>| form.position([Whole(n), Whole(n.checked_add(1)?)], line);
+        if line.len() == 0 {
+            position(start, line)?;
         }
+        let from = line.len();
+        position(end, line)?;
+        let end = from..line.len();
         let lasts = self.primes.quotient(row.lasts.into(), &self.lasts, 1)?;
         lasts.write(line)?;
-        form.account(&self.figures(&row)?, line)
+        form.account(&self.figures(&row)?, line)?;
+        Some(end)
     }
 }
 
