@@ -183,8 +183,8 @@ pub(crate) fn unreadable(
                 return None;
             }
             let why = held(kind, headings, column, preview, scene).err()?;
-            let no_clock = lengths::no_clock(headings, column, preview, scene);
-            let is_no_clock = is_time && no_clock.as_ref() == Some(&why);
+            let no_clock = || lengths::no_clock(headings, column, preview, scene);
+            let is_no_clock = is_time && no_clock().as_ref() == Some(&why);
             let unreadable = Unreadable {
                 column,
                 why,

@@ -51,11 +51,9 @@ pub(super) type Row<'a, S> = (&'a S, Option<&'a Readings>, usize);
 
 /// The row that was written last, whose end is where the next one starts.
 pub(super) struct Latest {
-    text: [u8; Line::ROOM],
-    /// Where in the text the position at its end is, with its comma.
-    end: Range<usize>,
-    /// At which sample the interval ends.
-    sample: Option<usize>,
+    pub(super) text: [u8; Line::ROOM],
+    /// Where in the text the position at its end is, with its comma: nowhere if no row was written just before.
+    pub(super) end: Range<usize>,
 }
 
 impl Latest {
@@ -63,21 +61,32 @@ impl Latest {
         Self {
             text: [0; Line::ROOM],
             end: 0..0,
-            sample: None,
         }
     }
 
-    /// Begins the row of an interval that starts at this sample with the position there, if that was the end of the last
-    /// one: how long that is.
-    fn begin(&mut self, sample: usize) -> usize {
-        match self.sample.take() {
-            Some(last) if last == sample => {
-                self.text.copy_within(self.end.clone(), 0);
-                self.end.len()
-            }
-            _ => 0,
-        }
+    /// Begins the next row with the position at the end of the last one, if there is one: how long that is.
+    #[inline(always)]
+    pub(super) fn begin(&mut self) -> usize {
+        let end = std::mem::take(&mut self.end);
+        let known = end.len();
+        self.text.copy_within(end, 0);
+        known
     }
+}
+
+/// Writes where an interval starts, unless the line has that already, and where it ends: where on the line that is.
+#[inline(always)]
+fn write_ends<P>(
+    [start, end]: [P; 2],
+    line: &mut Line<'_>,
+    write: impl Fn(P, &mut Line<'_>) -> Option<()>,
+) -> Option<Range<usize>> {
+    if line.len() == 0 {
+        write(start, line)?;
+    }
+    let from = line.len();
+    write(end, line)?;
+    Some(from..line.len())
 }
 
 /// What writes rows as they are exactly.
@@ -112,7 +121,8 @@ pub(super) trait Written {
         self.write_as::<T>(row, length, form, line)
     }
 
-    /// Writes the row of an interval that lasts so long; nothing, and `None`, where it is left open.
+    /// Writes the row of an interval that lasts so long, and that starts where the one of the last call ended; nothing, and
+    /// `None`, where it is left open.
     fn write(
         &self,
         row: Row<'_, Self::Samples>,
@@ -120,8 +130,7 @@ pub(super) trait Written {
         form: Form,
         (latest, out): (&mut Latest, &mut Vec<u8>),
     ) -> Option<()> {
-        let (_, _, sample) = row;
-        let known = latest.begin(sample);
+        let known = latest.begin();
         let line = &mut Line::new(&mut latest.text, known);
         let mut end = self.write_as::<i64>(row, length, form, line);
         if end.is_none() {
@@ -132,7 +141,7 @@ pub(super) trait Written {
         }
         let end = end?;
         out.extend_from_slice(line.text());
-        (latest.end, latest.sample) = (end, sample.checked_add(1));
+        latest.end = end;
         Some(())
     }
 }

@@ -251,9 +251,7 @@ pub(super) fn compute(rows: &mut Rows, wall: &Wall<false>, of: &Intervals, appli
 
 /// The last row that was written, and what is written again in most rows.
 pub(super) struct Before {
-    text: [u8; Line::ROOM],
-    /// Where in the text the position at its end is, with its comma: nowhere before the first row.
-    end: Range<usize>,
+    latest: Latest,
     /// What the denominator of its length is made of.
     denominator: Denominator,
 }
@@ -391,15 +389,14 @@ impl Rows {
 impl Before {
     pub(super) fn new() -> Self {
         Self {
-            text: [0; Line::ROOM],
-            end: 0..0,
+            latest: Latest::new(),
             denominator: Denominator::default(),
         }
     }
 
     /// Has no row before the next one.
     pub(super) fn forget(&mut self) {
-        self.end = 0..0;
+        self.latest.end = 0..0;
     }
 
     /// Writes a row that starts and ends there and lasts so long.
@@ -415,14 +412,13 @@ impl Before {
         form: Form,
         out: &mut Vec<u8>,
     ) -> Option<()> {
-        if self.end.is_empty() {
+        let known = self.latest.begin();
+        if known == 0 {
             form.position(start, out)?;
         }
-        let known = self.end.len();
-        self.text.copy_within(self.end.clone(), 0);
-        let mut line = Line::new(&mut self.text, known);
+        let mut line = Line::new(&mut self.latest.text, known);
         form.position(end, &mut line)?;
-        self.end = known..line.len();
+        let end = known..line.len();
         let Length(n, d) = length;
         if self.denominator.of != d {
             self.denominator = Denominator::new(d);
@@ -444,6 +440,7 @@ impl Before {
         }
         form.account(figures, &mut line)?;
         out.extend_from_slice(line.text());
+        self.latest.end = end;
         Some(())
     }
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use passivity_core::Truth;
 
 use super::super::Length;
-use super::{Exactly, Friction, Part, Row, Sum, Written, force_at, lasts_over};
+use super::{Exactly, Friction, Part, Row, Sum, Written, force_at, lasts_over, write_ends};
 use crate::figure::not;
 use crate::ledger::Truths;
 use crate::log::numbers::{Read, Readings};
@@ -46,17 +46,10 @@ impl Written for Exactly {
             lasts: lasts_over(length, over)?,
         };
         let (ratio, _, q) = &self.position;
-        let [start, end] = row.ends;
-        let position = |x: T, line: &mut Line<'_>| {
+        let end = write_ends(row.ends, line, |x, line| {
             let xi = x.by((*ratio).into())?.quotient(&self.primes, q, 1)?;
             form.position([xi; 2], line)
-        };
-        if line.len() == 0 {
-            position(start, line)?;
-        }
-        let from = line.len();
-        position(end, line)?;
-        let end = from..line.len();
+        })?;
         let lasts = self.primes.quotient(row.lasts.into(), &self.lasts, 1)?;
         lasts.write(line)?;
         form.account(&self.figures(&row)?, line)?;

@@ -8,7 +8,7 @@ use passivity_core::counted::{Crossing, Resistance};
 use super::super::super::Length;
 use super::super::constants::Part;
 use super::super::row::QuotientOf;
-use super::super::{Row, Sum, Written, force_at, lasts_over};
+use super::super::{Row, Sum, Written, force_at, lasts_over, write_ends};
 use super::turns::{self, Parabolas, Place, Ways};
 use super::{Counts, Flat, Friction};
 use crate::ball::Ball;
@@ -45,15 +45,9 @@ impl Written for Counts {
             force,
             lasts: lasts_over(length, over)?,
         };
-        let [start, end] = row.counts;
-        let position =
-            |n: i64, line: &mut Line<'_>| form.position([Whole(n), Whole(n.checked_add(1)?)], line);
-        if line.len() == 0 {
-            position(start, line)?;
-        }
-        let from = line.len();
-        position(end, line)?;
-        let end = from..line.len();
+        let end = write_ends(row.counts, line, |n, line| {
+            form.position([Whole(n), Whole(n.checked_add(1)?)], line)
+        })?;
         let lasts = self.primes.quotient(row.lasts.into(), &self.lasts, 1)?;
         lasts.write(line)?;
         form.account(&self.figures(&row)?, line)?;
