@@ -42,7 +42,7 @@ fn a_scene_is_written_that_holds_what_is_true_and_is_checked() {
     );
     let scene = std::fs::read_to_string(dir.path("knob.toml")).unwrap();
     assert!(
-        scene.contains("# Device: knob3\n# Recorded: 2026-11-22\n# Log: "),
+        scene.contains("# Device: knob 3\n# Recorded: 2026-11-22\n# Log: "),
         "{scene}"
     );
     assert!(scene.contains("133c77d24f7fc6510f46a6604313b140ab401caacc401f771673f3221e32b97f"));

@@ -13,7 +13,7 @@ use crate::fitting::fitting;
 use crate::lacks::{self, Lack};
 use crate::log::{Errors, Log};
 use crate::options::{Inertia, Options};
-use crate::region::{COULOMB, Corner, Ends, INERTIA, Part, Shear};
+use crate::region::{COULOMB, Ends, INERTIA, Shear, parts};
 use crate::report::{DIGITS, best_refuted};
 use crate::search::{self, Found, Judge, Task};
 use crate::sketch::{covered, ends, inertia, middle, units};
@@ -66,6 +66,8 @@ pub struct Identified {
     pub(crate) best: Option<[f64; 3]>,
     /// Where the inertia was looked for.
     pub(crate) inertia: Ends,
+    /// By how much the logged force may be off, in KΔ.
+    pub(crate) force_error: f64,
     pub(crate) units: [[f64; 2]; 3],
     /// T in seconds.
     pub(crate) period: f64,
@@ -215,6 +217,7 @@ pub fn identify(
             shear,
             best: best.map(|(best, _)| best),
             inertia,
+            force_error: errors.force,
             units,
             period,
             motion: sketch.motion,
@@ -264,35 +267,6 @@ const LEAST_INERTIA: f64 = 1e-6;
 
 /// Into how many parts it is cut before the search.
 const SLABS: u32 = 20;
-
-/// Parts that hold all parameters up to the most, the inertia cut evenly over its decades.
-pub(crate) fn parts(
-    shear: &Shear,
-    most: [f64; 2],
-    [least, largest]: Ends,
-    slabs: u32,
-) -> Vec<Part> {
-    use crate::directed::{div, mul};
-    let down = |x: f64| -div(-1.0, x);
-    let ratio = (largest / least).powf(1.0 / f64::from(slabs));
-    let mut parts = Vec::new();
-    let mut upper = largest;
-    for slab in 1..=slabs {
-        let lower = match slab == slabs {
-            true => least,
-            false => (upper / ratio).max(least),
-        };
-        let mobility = [down(upper), div(1.0, lower)];
-        let [viscous, coulomb] = most.map(|most| [0.0, mul(most, mobility[1])]);
-        parts.push(shear.around(&Corner {
-            viscous,
-            coulomb,
-            mobility,
-        }));
-        upper = lower;
-    }
-    parts
-}
 
 /// Refuses a log in which the device moves while there is surely no force. Where the force may be off there may
 /// be one in every row: the search tells whether it can have moved the device.
@@ -351,7 +325,7 @@ impl Identified {
         })
     }
 
-    /// Whether the box is narrow: every parameter within a fifth of its estimate, end to end.
+    /// Whether the box is narrow: every best estimate within 5 % of the true value, wherever in the box that is.
     #[must_use]
     pub fn is_informative(&self) -> bool {
         self.fits() && self.parameters.iter().all(|(_, bounds)| bounds.is_narrow())
@@ -438,11 +412,27 @@ impl Identified {
 }
 
 impl Bounds {
-    /// Whether the parameter is within a fifth of its estimate, end to end.
+    /// How far the best estimate is at the most from each value within bounds that are narrow, in parts of that value.
+    pub const NEAR: f64 = 0.05;
+
+    /// Whether the best estimate is within 5 % of the true value, wherever within the bounds that is.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use passivity_identify::Bounds;
+    ///
+    /// let bounds = |lo, hi| Bounds { lo, hi: Some(hi), best: Some(2.0) };
+    /// assert!(bounds(1.91, 2.1).is_narrow());
+    /// // Where 1.9 is true, 2.0 is 5.3 % off.
+    /// assert!(!bounds(1.9, 2.1).is_narrow());
+    /// ```
     #[must_use]
     pub fn is_narrow(&self) -> bool {
         match (self.hi, self.best) {
-            (Some(hi), Some(best)) => hi - self.lo <= 0.2 * best,
+            (Some(hi), Some(best)) => {
+                best <= (1.0 + Self::NEAR) * self.lo && best >= (1.0 - Self::NEAR) * hi
+            }
             _ => false,
         }
     }

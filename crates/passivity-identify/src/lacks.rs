@@ -226,9 +226,9 @@ fn of_wide(identified: &Identified) -> Vec<Lack> {
     if wide(COULOMB) && coulomb < 0.2 * viscous * speeds.slow {
         all.push(Lack::Slow);
     }
-    // About at this share of a friction the error alone makes its range a fifth wide, or wider.
-    let error = logs.iter().map(force_error).fold(0.0, f64::max);
-    let is_much = |friction: f64| error > 0.02 * friction;
+    // About at this share of a friction the error alone makes its range, or that of the other, a tenth wide.
+    let error = identified.force_error;
+    let is_much = |friction: f64| error > 0.005 * friction;
     if wide(COULOMB) && is_much(coulomb) || wide(VISCOUS) && is_much(viscous * speeds.fast) {
         all.push(Lack::ForceError);
     }
@@ -267,21 +267,6 @@ fn logged([lo, hi]: &[f64; 2]) -> f64 {
 fn largest_logged(log: &Log) -> f64 {
     let forces = log.intervals().map(|(force, _)| logged(force).abs());
     forces.fold(0.0, f64::max)
-}
-
-/// By how much the force may be off, beyond how it is rounded.
-fn force_error(log: &Log) -> f64 {
-    /// Of a force: its ends are at most two doubles from it, each ε of it further, and this is twice that.
-    const ROUNDING: f64 = 4.0 * f64::EPSILON;
-    let errors = log.intervals().map(|([lo, hi], _)| {
-        let error = 0.5 * hi - 0.5 * lo;
-        if error > ROUNDING * lo.abs().max(hi.abs()) {
-            error
-        } else {
-            0.0
-        }
-    });
-    errors.fold(0.0, f64::max)
 }
 
 /// Whether the device moves by some ticks while the logged force is next to nothing.

@@ -10,7 +10,7 @@
 //! A part is a box in t, whose corners are found back by substitution, each enclosed. Which shear it is
 //! decides how long a search takes, not what it finds.
 
-use crate::directed::{add, add_down, mul, mul_down};
+use crate::directed::{add, add_down, div, mul, mul_down};
 
 /// A number between two doubles.
 pub(crate) type Ends = [f64; 2];
@@ -196,6 +196,34 @@ impl Part {
         let middle = 0.5 * lo + 0.5 * hi;
         [along([lo, middle]), along([middle, hi])]
     }
+}
+
+/// Parts that hold all parameters up to the most, the inertia cut evenly over its decades.
+pub(crate) fn parts(
+    shear: &Shear,
+    most: [f64; 2],
+    [least, largest]: Ends,
+    slabs: u32,
+) -> Vec<Part> {
+    let down = |x: f64| -div(-1.0, x);
+    let ratio = (largest / least).powf(1.0 / f64::from(slabs));
+    let mut parts = Vec::new();
+    let mut upper = largest;
+    for slab in 1..=slabs {
+        let lower = match slab == slabs {
+            true => least,
+            false => (upper / ratio).max(least),
+        };
+        let mobility = [down(upper), div(1.0, lower)];
+        let [viscous, coulomb] = most.map(|most| [0.0, mul(most, mobility[1])]);
+        parts.push(shear.around(&Corner {
+            viscous,
+            coulomb,
+            mobility,
+        }));
+        upper = lower;
+    }
+    parts
 }
 
 #[cfg(test)]

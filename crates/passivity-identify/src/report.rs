@@ -26,10 +26,10 @@ pub struct Report {
     pub parameters: Parameters,
     /// Where no parameters fit; `null` where some do.
     pub refuted_by: Option<RefutedBy>,
-    /// Whether every parameter is known within a fifth of its estimate, end to end.
+    /// Whether every best estimate is within 5 % of the true value, wherever within the bounds that is.
     pub informative: bool,
-    /// What the logs lack, in words; first, where the bounds are wide, whether more work may narrow them. An informative answer may lack something too: motion the other way, without
-    /// which a constant force cannot be told from friction.
+    /// What the logs lack, in words; first, where the bounds are wide, whether more work may narrow them. An informative
+    /// answer may lack something too: motion the other way, without which a constant force cannot be told from friction.
     pub lacks: Vec<String>,
     /// Whether the work came to its bound before the box was as narrow as it could be.
     pub stopped_early: bool,

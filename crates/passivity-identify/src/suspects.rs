@@ -4,9 +4,8 @@
 //! once more with it, and those that leave no more than the counts' errors are named.
 
 use crate::estimate::{self, spread};
-use crate::identified::parts;
 use crate::log::Log;
-use crate::region::Ends;
+use crate::region::{Ends, parts};
 use crate::search::{Place, Task, first_bounds};
 
 /// Rows of logs that are fitted: of more, everything is named.

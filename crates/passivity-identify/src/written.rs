@@ -199,7 +199,13 @@ impl Identified {
     /// Says above each number that was identified where it comes from, of each by itself: a later identification may
     /// replace some of them only.
     fn note(&self, document: &mut DocumentMut, said: &Provenance) {
-        let plain = |text: &str| text.chars().filter(|c| !c.is_control()).collect::<String>();
+        // A line break tells words apart.
+        let plain = |text: &str| {
+            let pieces = text
+                .split(char::is_control)
+                .filter(|piece| !piece.is_empty());
+            pieces.collect::<Vec<_>>().join(" ")
+        };
         let [mark, best_estimate, device, recorded, log] = FORM;
         for (parameter, bounds) in &self.parameters {
             let name = parameter.row().name;

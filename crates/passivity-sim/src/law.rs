@@ -325,6 +325,7 @@ impl HeldForce {
     }
 
     /// How many times an error of all samples that of the force may be.
+    #[cfg(feature = "multiprecision")]
     pub(crate) const fn amplified(&self) -> f64 {
         self.amplified
     }
