@@ -16,7 +16,7 @@ use passivity_scene::number::{NumberError, nearest_f64, parse};
 
 pub use arithmetic::is_positive;
 pub(crate) use arithmetic::{Denominator, difference, is_less, product, quotient};
-pub(crate) use decimal::{decimal, leading_decimal, power_of_ten, short};
+pub(crate) use decimal::{MOST_DECIMALS, decimal, leading_decimal, power_of_ten, short};
 pub(crate) use digits::{Fraction, Fractions, SEVERAL};
 pub(crate) use dyadic::{Bits, Dyadic};
 pub(crate) use factored::{Beside, Factored, Primes, Quotient, Split};

@@ -13,6 +13,7 @@ use crate::log::layout::{Form, Layout};
 use crate::log::report::{Agreement, Fitted, Supplied};
 use crate::log::text::energy_unit;
 use crate::log::timing::{GAP, SHORT, Timing};
+use crate::log::velocity::is_off;
 use crate::shell::shell_word;
 
 /// Of forces that are no multiple of the law's, a scale that is nearer to one than this is no finding.
@@ -42,13 +43,26 @@ pub(crate) struct Beside {
     pub(crate) topics: Vec<String>,
 }
 
+/// Whether an account leaves open what is true of the device where this is found: one of the forces in the log, or
+/// of the law.
+pub(crate) fn leave_open(found: &[Finding], force: Option<&Agreement>, applied: bool) -> bool {
+    let is_off = force.is_some_and(Agreement::is_off);
+    applied && is_off || found.iter().any(|finding| finding.leaves_open(applied))
+}
+
+impl Agreement {
+    /// Whether the forces are near another multiple of the law, by a unit or a sign perhaps.
+    fn is_off(&self) -> bool {
+        let near = self.fit.filter(|fit| fit.residual < ROUGH);
+        !self.agrees && near.is_some_and(|fit| is_off(&fit))
+    }
+}
+
 impl Finding {
-    /// Whether an account leaves open what is true of the device where this is found: one of the forces in the log, or
-    /// of the law.
-    pub(crate) fn leaves_open(&self, applied: bool) -> bool {
+    fn leaves_open(&self, applied: bool) -> bool {
         match self.kind {
             "wrap" | "fast_clock" | "undersampled" | "velocity_scale" | "counted_positions" => true,
-            "missed_force" | "old_force" | "stored_energy" => applied,
+            "missed_force" | "old_force" | "stored_energy" | "zero_force" => applied,
             "oversampled" => !applied,
             _ => false,
         }

@@ -7,9 +7,9 @@ use passivity_core::{BigRational, Exact, Interval, Scalar};
 use crate::ball::{Ball, over_power_of_two};
 use crate::log::error::TraceError;
 use crate::log::irrational::doubles::Halves;
-use crate::log::numbers::Kind;
+use crate::log::numbers::{Kind, decimal};
 use crate::log::running::near;
-use crate::number::{Number, power_of_ten};
+use crate::number::{MOST_DECIMALS, Number, power_of_ten};
 use crate::reading::{Reading, Scaled};
 use crate::span::{self, Span};
 
@@ -34,9 +34,6 @@ struct Mantissa {
     mantissa: u128,
     shift: u32,
 }
-
-/// 10^18 is the largest that 64 bits hold.
-const MOST_DECIMALS: u32 = 18;
 
 impl Mantissa {
     /// As many bits as a product with 64 others leaves room for.
@@ -77,16 +74,35 @@ impl Mantissa {
     }
 }
 
+/// A number in lowest terms as n over 10^k, with the least k; `None` of others.
+fn over_tens(x: &Number) -> Option<(i64, u32)> {
+    let (n, d) = match x {
+        Number::Small(n, d) => (*n, u128::from(d.unsigned_abs())),
+        Number::Big(x) => (x.numer().to_i64()?, x.denom().to_u128()?),
+        Number::Tiny(..) => return None,
+    };
+    let twos = d.checked_ilog2().map(|_| d.trailing_zeros())?;
+    let (mut rest, mut fives) = (d >> twos, 0);
+    while rest % 5 == 0 {
+        (rest, fives) = (rest / 5, fives + 1);
+    }
+    let k = twos.max(fives);
+    let more = 2_i64
+        .checked_pow(k - twos)?
+        .checked_mul(5_i64.checked_pow(k - fives)?)?;
+    (rest == 1).then_some((n.checked_mul(more)?, k))
+}
+
 impl Irrational {
     pub(crate) fn new(factor: Exact, range: Interval<BigRational>) -> Self {
         let [a, b] = [range.lo(), range.hi()].map(num_traits::Signed::abs);
         let (lo, hi) = (Ord::min(&a, &b), Ord::max(&a, &b));
         let by_decimals = (0..=MOST_DECIMALS).map(|k| {
-            let power = BigRational::from_integer(BigInt::from(10).pow(k));
+            let power = BigRational::from_integer(BigInt::from(10).pow(k.into()));
             Mantissa::of(&(lo / &power), &(hi / &power))
         });
         let halves = (0..=MOST_DECIMALS).map(|k| {
-            let over = range.lo() / BigRational::from_integer(BigInt::from(10).pow(k));
+            let over = range.lo() / BigRational::from_integer(BigInt::from(10).pow(k.into()));
             let nearest = near(&over);
             let rest = BigRational::from_float(nearest).map(|nearest| over - nearest);
             [nearest, rest.map_or(f64::NAN, |rest| near(&rest))]
@@ -102,12 +118,16 @@ impl Irrational {
 
     /// A short decimal, scaled and enclosed; `None` for other numbers.
     fn short(&self, x: &Number) -> Option<Span> {
+        let by = |decimals: u32| *self.by_decimals.get(usize::try_from(decimals).ok()?)?;
+        let of_decimals = || {
+            let (n, decimals) = over_tens(x)?;
+            self.signed(n, by(decimals)?)
+        };
         let (n, d) = match x {
             Number::Small(n, d) => (n, d),
             Number::Tiny(n, k) => return self.tiny(*n, *k),
-            Number::Big(_) => return None,
+            Number::Big(_) => return of_decimals(),
         };
-        let by = |decimals: u32| *self.by_decimals.get(usize::try_from(decimals).ok()?)?;
         let decimals = d.ilog10();
         let by = if power_of_ten(decimals) == Some(*d) {
             by(decimals)?
@@ -118,7 +138,7 @@ impl Irrational {
                 ..whole
             }
         } else {
-            return None;
+            return of_decimals();
         };
         self.signed(*n, by)
     }
@@ -147,9 +167,23 @@ impl Irrational {
         if n == 0 {
             return Some(Ball::whole(0));
         }
-        let by = (*self.by_decimals.get(usize::from(k))?)?;
-        let span = self.signed(n, by)?;
+        let span = self.of_decimal(n, k)?;
         (kind == Kind::Force || span.is_within_a_tick()).then(|| Ball::of_span(span))
+    }
+
+    /// n over 10^k, n ≠ 0, scaled and enclosed, as [`short`](Self::short) does that.
+    #[inline]
+    fn of_decimal(&self, mut n: i64, mut k: u8) -> Option<Span> {
+        if power_of_ten(k.into()).is_none() {
+            // Such a number is read in lowest terms, whatever zeros end it.
+            while k > 0 && n % 10 == 0 {
+                (n, k) = (n / 10, k - 1);
+            }
+            if n % 5_i64.checked_pow(k.into())? == 0 {
+                return self.short(&decimal(n, k));
+            }
+        }
+        self.signed(n, (*self.by_decimals.get(usize::from(k))?)?)
     }
 
     /// The same of a double.
@@ -309,7 +343,11 @@ mod tests {
 
         #[test]
         fn a_short_decimal_is_enclosed_as_closely_as_by_big_numbers(
-            n in prop_oneof![any::<i64>(), -10_000_000..10_000_000_i64], decimals in 0..19_u32,
+            n in prop_oneof![
+                any::<i64>(), -10_000_000..10_000_000_i64, (1..900_i64, 0..16_u32).prop_map(|(n, k)| n * 10_i64.pow(k)),
+                Just(5_i64.pow(27)),
+            ],
+            k in 0..=MOST_DECIMALS,
             counts in 1..100_000_i32, reversed: bool,
         ) {
             // A radian is N/2π ticks.
@@ -317,10 +355,10 @@ mod tests {
             let factor = Exact::of(&BigRational::new((sign * counts).into(), 2.into())).over(pi::pi());
             let range = factor.enclosure(256).unwrap();
             let by = Irrational::new(factor, range.clone());
-            let x = Number::Small(n, 10_i64.pow(decimals));
+            let x = decimal(n, k);
             let Some(span) = by.short(&x) else {
                 // Past 2⁶³ ticks.
-                prop_assert!(n.unsigned_abs() / 10_u64.pow(decimals) > 1 << 40);
+                prop_assert!(u128::from(n.unsigned_abs()) / 10_u128.pow(k.into()) > 1 << 40);
                 return Ok(());
             };
             let exact = Interval::hull(x.to_rational() * range.lo(), x.to_rational() * range.hi());
@@ -328,7 +366,12 @@ mod tests {
             let at = |n: i128| BigRational::new(n.into(), (1_i128 << span::BITS).into());
             prop_assert!(at(lo) <= *exact.lo() && *exact.hi() <= at(hi));
             for kind in [Kind::Position, Kind::Force] {
-                let k = u8::try_from(decimals).unwrap();
+                let read = match kind {
+                    Kind::Position => by.position(x.clone()),
+                    Kind::Force => by.force(x.clone()),
+                };
+                let near = by.near(kind, n, k);
+                prop_assert!(near.is_none_or(|near| Some(near) == read.ok().map(|read| *read.to_near().lo())));
                 let (mut middle, mut radius) = ([0.0], [0.0]);
                 by.of_decimals(kind, (&[n], &[k]), (&mut middle, &mut radius));
                 if !middle[0].is_nan() {

@@ -3,6 +3,9 @@
 mod balls;
 mod units;
 
+use num_bigint::BigInt;
+use passivity_core::BigRational;
+
 use crate::ball::Ball;
 use crate::log::error::TraceError;
 use crate::log::scale::Scale;
@@ -16,7 +19,7 @@ pub(crate) use units::{Read, Unit};
 /// The numbers of a column.
 #[derive(Clone, Debug)]
 pub(crate) enum Numbers {
-    /// n over 10^k.
+    /// n over 10^k, k at most [`MOST_DECIMALS`](crate::number::MOST_DECIMALS).
     Decimals(Vec<i64>, Vec<u8>),
     /// Doubles, each the dyadic rational that it is.
     Doubles(Vec<f64>),
@@ -36,8 +39,14 @@ pub(crate) fn all<T>(values: &[T], is: impl Fn(&T) -> bool) -> bool {
 }
 
 /// n over 10^k.
-fn decimal(n: i64, k: u8) -> Option<Number> {
-    power_of_ten(k.into()).map(|power| Number::Small(n, power))
+pub(crate) fn decimal(n: i64, k: u8) -> Number {
+    match power_of_ten(k.into()) {
+        Some(power) => Number::Small(n, power),
+        None => {
+            let power = BigInt::from(10).pow(k.into());
+            BigRational::new(n.into(), power).into()
+        }
+    }
 }
 
 impl Numbers {
@@ -77,7 +86,9 @@ impl Numbers {
     #[inline]
     pub(crate) fn get(&self, i: usize) -> Option<Number> {
         match self {
-            Self::Decimals(numerators, powers) => decimal(*numerators.get(i)?, *powers.get(i)?),
+            Self::Decimals(numerators, powers) => {
+                Some(decimal(*numerators.get(i)?, *powers.get(i)?))
+            }
             Self::Doubles(values) => Number::from_f64(*values.get(i)?),
             Self::Any(values) => values.get(i).cloned(),
         }
@@ -120,7 +131,7 @@ impl Numbers {
         }
     }
 
-    /// Appends n over 10^k, 10^k within 64 bits.
+    /// Appends n over 10^k.
     #[inline]
     pub(crate) fn push_decimal(&mut self, n: i64, k: u8) {
         match self {
@@ -128,7 +139,7 @@ impl Numbers {
                 numerators.push(n);
                 powers.push(k);
             }
-            Self::Doubles(_) | Self::Any(_) => self.any().extend(decimal(n, k)),
+            Self::Doubles(_) | Self::Any(_) => self.any().push(decimal(n, k)),
         }
     }
 

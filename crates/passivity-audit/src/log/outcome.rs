@@ -9,7 +9,7 @@ use crate::log::account::{Place, Point};
 use crate::log::certificate::Certificate;
 use crate::log::comparison::Comparison;
 use crate::log::error::TraceError;
-use crate::log::findings::{Finding, of_clock, of_force, of_stored};
+use crate::log::findings::{Finding, leave_open, of_clock, of_force, of_stored};
 use crate::log::found::Findings;
 use crate::log::layout::Form;
 use crate::log::report::{
@@ -142,8 +142,10 @@ impl Audit {
         {
             found.push(of_stored(supply, task.layout.form, scene));
         }
-        let opened = |verdict: Verdict, applied: bool| match verdict {
-            Verdict::Holds if found.iter().any(|f| f.leaves_open(applied)) => Verdict::Depends,
+        let [law_open, own_open] =
+            [false, task.applied].map(|applied| leave_open(&found, agreement.as_ref(), applied));
+        let opened = |verdict: Verdict, is_open: bool| match verdict {
+            Verdict::Holds if is_open => Verdict::Depends,
             verdict => verdict,
         };
         let mut unended_rows = findings.unended_rows;
@@ -156,7 +158,7 @@ impl Audit {
             scene: scene.name.clone(),
             motion: scene.motion,
             positions: task.layout.form,
-            verdict: opened(verdict, task.applied),
+            verdict: opened(verdict, own_open),
             judged,
             account: match task.applied {
                 true => Force::Applied,
@@ -194,7 +196,7 @@ impl Audit {
             }),
             force: agreement,
             law: law.map(|law| ByLaw {
-                verdict: opened(law.report.verdict, false),
+                verdict: opened(law.report.verdict, law_open),
                 judged: law.report.judged,
                 totals: law.report.totals,
             }),

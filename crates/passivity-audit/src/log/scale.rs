@@ -12,7 +12,7 @@ use crate::log::header::{read_unit, read_unit_of_force};
 use crate::log::irrational::Irrational;
 use crate::log::numbers::{Kind, Numbers};
 use crate::log::running::near;
-use crate::number::{Number, power_of_ten, product};
+use crate::number::{Number, product};
 use crate::reading::Reading;
 
 /// How a number of the trace becomes one in ticks or in KΔ.
@@ -100,7 +100,9 @@ impl Scale {
         match self {
             Self::One | Self::Factor(_) => {
                 let (p, q) = self.ratio()?;
-                scaled(p, n, q.checked_mul(power_of_ten(k.into())?)?, 0)
+                // 10^k = 5^k·2^k
+                let fives = 5_i64.checked_pow(k.into())?;
+                scaled(p, n, q.checked_mul(fives)?, k.into())
             }
             Self::Irrational(by) => by.near(kind, n, k),
         }
@@ -314,7 +316,7 @@ mod tests {
 
         #[test]
         fn a_product_is_known_as_closely_as_by_big_numbers(
-            x in double(), n in prop_oneof![any::<i64>(), -100_000..100_000_i64], k in 0..19_u8,
+            x in double(), n in prop_oneof![any::<i64>(), -100_000..100_000_i64], k in 0..=crate::number::MOST_DECIMALS,
             p in prop_oneof![1..2000_i64, Just(100_000_i64), Just(1_i64 << 34), 1..i64::MAX],
             q in prop_oneof![1..2000_i64, Just(3_i64), 1..1_i64 << 49, 1..i64::MAX],
             count: i16, reversed: bool,

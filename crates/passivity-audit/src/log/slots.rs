@@ -5,8 +5,9 @@ use crate::log::columns::Role;
 use crate::log::csv::Notation;
 use crate::log::header::Heading;
 use crate::log::layout::{Form, Layout};
+use crate::log::numbers::decimal;
 use crate::log::running::near_number;
-use crate::number::{Number, leading_decimal, power_of_ten};
+use crate::number::leading_decimal;
 
 /// What the columns of a log hold, for rows of nothing but short decimals.
 pub(crate) struct Slots {
@@ -84,7 +85,7 @@ impl Slots {
                             chunk.forces.roundings.push(rounding * layout.size_of_force);
                         }
                         (Role::V, _) => {
-                            let near = near_number(&Number::Small(n, power_of_ten(k.into())?));
+                            let near = near_number(&decimal(n, k));
                             chunk.velocities.push(near * layout.per_velocity);
                         }
                         (_, Samples::Any(samples)) => samples.push_decimal(n, k),

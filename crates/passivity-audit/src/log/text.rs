@@ -8,7 +8,7 @@ use passivity_scene::display::{Rounding, approx, rounded};
 
 use crate::figure::Figure;
 use crate::log::error::legible;
-use crate::log::findings::{ROUGH, off_one, samples};
+use crate::log::findings::{ROUGH, leave_open, off_one, samples};
 use crate::log::layout::Form;
 use crate::log::report::{Agreement, ByLaw, Fitted, Force, Judged, Report, UnendedRow, Verdict};
 
@@ -130,7 +130,7 @@ impl Report {
             _ => ("was stored at the start", ""),
         };
         let applied = self.account == Force::Applied;
-        let opened = self.findings.iter().any(|f| f.leaves_open(applied));
+        let opened = leave_open(&self.findings, self.force.as_ref(), applied);
         match (self.verdict, self.judged) {
             (Verdict::Holds, Judged::Interval) => {
                 "HOLDS: no interval generated more than friction dissipates".to_owned()

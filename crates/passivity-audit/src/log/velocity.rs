@@ -261,7 +261,8 @@ fn is_told(fit: &Fitted) -> bool {
     fit.residual <= NOISY
 }
 
-fn is_off(fit: &Fitted) -> bool {
+/// Whether a multiple is so far from one that a unit, a sign or another number of the scene is wrong.
+pub(crate) fn is_off(fit: &Fitted) -> bool {
     !(1.0 / OFF..=OFF).contains(&fit.scale)
 }
 

@@ -74,8 +74,11 @@ pub(crate) fn power_of_ten(k: u32) -> Option<i64> {
     POWERS.get(usize::try_from(k).ok()?).copied()
 }
 
+/// How many decimals a [leading decimal](leading_decimal) has at the most: 64 bits hold 5 to that power.
+pub(crate) const MOST_DECIMALS: u8 = 27;
+
 /// A short decimal up to `end` or a line break at the start of a text, as a numerator and how many of its
-/// digits are decimals, and where it ends.
+/// digits are decimals, and where it ends. Doubles near zero are written with as many decimals as 10^k has no room for.
 #[inline]
 pub(crate) fn leading_decimal(text: &[u8], end: u8) -> Option<((i64, u8), usize)> {
     /// 64 bits without a sign hold any number of as many digits, such as the nanoseconds since 1970.
@@ -89,8 +92,15 @@ pub(crate) fn leading_decimal(text: &[u8], end: u8) -> Option<((i64, u8), usize)
         (value, decimals) = digits(text.get(at + 1..)?, whole)?;
         at += 1 + decimals;
     }
-    if before + decimals == 0 || before + decimals > MOST {
+    if before + decimals == 0 {
         return None;
+    }
+    if before + decimals > MOST {
+        // Zeros before the first other digit change nothing.
+        let mantissa = text.get(start..at)?.iter();
+        let zeros = mantissa.take_while(|byte| matches!(byte, b'0' | b'.'));
+        let zeros = zeros.filter(|byte| **byte == b'0').count();
+        (before + decimals - zeros <= MOST).then_some(())?;
     }
     let (exponent, length) = exponent(text.get(at..)?);
     at += length;
@@ -102,7 +112,8 @@ pub(crate) fn leading_decimal(text: &[u8], end: u8) -> Option<((i64, u8), usize)
     }
     let value = i64::try_from(value).ok()?;
     let decimals = i32::try_from(decimals).ok()? - exponent;
-    let decimals = u8::try_from(decimals).ok().filter(|k| *k < 19)?;
+    let decimals = u8::try_from(decimals).ok();
+    let decimals = decimals.filter(|k| *k <= MOST_DECIMALS)?;
     Some(((if negative { -value } else { value }, decimals), at))
 }
 
@@ -189,6 +200,8 @@ pub(crate) fn short(text: &[u8]) -> Option<(i64, i64)> {
 mod tests {
     use super::*;
     use crate::number::Number;
+    use num_bigint::BigInt;
+    use passivity_core::BigRational;
     use proptest::prelude::*;
 
     proptest! {
@@ -207,6 +220,7 @@ mod tests {
             text in prop_oneof![
                 "-?[0-9]{0,20}(\\.[0-9]{0,20})?[,;x\n]?",
                 "-?[0-9]{0,3}(\\.[0-9]{0,20})?[eE][-+]?[0-9]{0,4}[,;x\n]?",
+                "-?0{0,20}\\.0{0,10}[1-9][0-9]{0,18}([eE]-?[0-9]{1,2})?[,\n]",
                 "[-.0-9/:+e ]{0,6}[,\n]",
                 "[ -~\r\n]{0,12}",
             ],
@@ -215,14 +229,25 @@ mod tests {
             let all = format!("{text}{rest}");
             let found = leading_decimal(all.as_bytes(), b',');
             let end = all.find([',', '\n']);
-            let expected = end.and_then(|end| {
+            let field = end.map(|end| {
                 let field = all[..end].strip_suffix('\r').filter(|_| all.as_bytes()[end] == b'\n');
-                let field = field.unwrap_or(&all[..end]);
+                field.unwrap_or(&all[..end])
+            });
+            let expected = field.and_then(|field| {
                 let (n, power) = decimal(field.as_bytes()).filter(|_| !field.starts_with('+'))?;
                 let decimals = u8::try_from(power.ilog10()).unwrap();
                 Some(((n, decimals), field.len()))
             });
-            prop_assert_eq!(found, expected);
+            if let (None, Some(((n, k), length))) = (expected, found) {
+                // It has zeros before its digits, or more decimals.
+                let field = field.unwrap();
+                let spelt = passivity_scene::number::parse(field).unwrap();
+                let power = BigRational::from_integer(BigInt::from(10).pow(k.into()));
+                prop_assert_eq!(spelt, BigRational::from_integer(n.into()) / power);
+                prop_assert!(length == field.len() && k <= MOST_DECIMALS);
+            } else {
+                prop_assert_eq!(found, expected);
+            }
         }
     }
 }

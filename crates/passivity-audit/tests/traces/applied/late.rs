@@ -2,9 +2,11 @@
 
 use std::fmt::Write as _;
 
-use passivity_audit::Finding;
+use num_traits::Zero as _;
+use passivity_audit::{Finding, Verdict};
+use passivity_core::BigRational;
 
-use super::{audited, three_fifths};
+use super::{PATH, audited, audited_as, law, scene, three_fifths, trace};
 
 /// The findings of a force that is `scale` times the law of a device that goes to and fro, `lag` samples late, and
 /// off by `noise` one way and the other.
@@ -92,4 +94,35 @@ fn a_force_that_was_applied_is_stored_nowhere() {
         assert!(of_law.certificate().is_some(), "{effect}");
         assert!(of_law.to_text().contains(stored), "{}", of_law.to_text());
     }
+}
+
+/// Of forces in another unit, or of a column that has none, an account holds that is of no device.
+#[test]
+fn a_log_does_not_hold_by_forces_that_are_far_from_the_laws() {
+    let scene = scene("[dimensionless]\nbeta = \"3/5\"\nsigma = \"6\"");
+    let told = |scale: f64| {
+        let audit = audited(&trace("xi", &PATH, |i| law(&PATH, i, 3, scale)), &scene);
+        let running = audit.report().running.supply.clone().unwrap();
+        assert!(
+            running.least >= BigRational::zero(),
+            "{scale}: it would hold"
+        );
+        (audit.verdict(), audit.report().headline())
+    };
+    for scale in [0.001, 0.1, 0.6, -0.1, 0.0] {
+        let (verdict, headline) = told(scale);
+        assert_eq!(verdict, Verdict::Depends, "{scale}");
+        let says = "DEPENDS: a finding leaves open whether the operator drew more";
+        assert!(headline.starts_with(says), "{headline}");
+    }
+    for scale in [0.7, 1.4] {
+        assert_eq!(told(scale).0, Verdict::Holds, "{scale}");
+    }
+    let by_law = audited_as(
+        &trace("xi", &PATH, |i| law(&PATH, i, 3, 0.001)),
+        &scene,
+        true,
+        0,
+    );
+    assert_eq!(by_law.0.verdict(), Verdict::Holds);
 }
