@@ -73,12 +73,20 @@ where
 /// Reads a number of something, said with its unit and an example.
 #[cfg(feature = "identify")]
 pub(crate) fn number(of: &'static str) -> impl Fn(&str) -> Result<f64, String> + Clone {
-    move |text| text.parse().map_err(|_| format!("expected a number {of}"))
+    move |text| {
+        let number = text.parse().ok();
+        let number = number.filter(|x: &f64| *x >= 0.0 && x.is_finite());
+        number.ok_or_else(|| format!("expected a number {of}, zero or above it"))
+    }
 }
 
 /// What a count may be off by.
 #[cfg(feature = "identify")]
 pub(crate) const TICKS: &str = "of ticks, such as 0.5";
+
+/// By what share of itself a force may be off.
+#[cfg(feature = "identify")]
+pub(crate) const SHARE: &str = "below 1, such as 0.05 for 5 %";
 
 /// What a force may be off by.
 #[cfg(feature = "identify")]

@@ -8,6 +8,7 @@ use passivity_core::Parameter;
 use passivity_scene::display::figures;
 use passivity_scene::{Motion, Scene};
 
+use crate::directed::{add, add_down, div, mul, mul_down};
 use crate::estimate;
 use crate::fitting::fitting;
 use crate::lacks::{self, Lack};
@@ -68,6 +69,10 @@ pub struct Identified {
     pub(crate) inertia: Ends,
     /// By how much the logged force may be off, in KΔ.
     pub(crate) force_error: f64,
+    /// How many times the logged one it may be.
+    pub(crate) scale: Ends,
+    /// Whether nobody says that, and the inertia does not tell.
+    pub(crate) is_scale_open: bool,
     pub(crate) units: [[f64; 2]; 3],
     /// T in seconds.
     pub(crate) period: f64,
@@ -164,29 +169,20 @@ pub fn identify(
     progress: impl FnMut(u64) -> bool,
 ) -> Result<Identified, IdentifyError> {
     covered(sketch)?;
+    options.check()?;
     let nominal = sketch.given.map(|_, given| given.nominal.clone());
     let units = units(&nominal)?;
     let force_unit = *units.get(COULOMB).unwrap_or(&[1.0; 2]);
     let errors = Errors {
         count: options.count_error,
-        force: crate::directed::div(options.force_error, force_unit[0]),
+        force: div(options.force_error, force_unit[0]),
     };
-    if !(errors.count >= 0.0 && errors.count.is_finite()) {
-        return Err(IdentifyError::new(
-            "the error of a count must be zero or above it",
-        ));
-    }
-    if !(errors.force >= 0.0 && errors.force.is_finite()) {
-        return Err(IdentifyError::new(
-            "the error of the force must be zero or above it",
-        ));
-    }
     let logs: Vec<Log> = sampled.iter().map(|one| Log::of(one, errors)).collect();
     if logs.is_empty() {
         return Err(IdentifyError::new("a log is needed"));
     }
     for (number, log) in logs.iter().enumerate() {
-        starts_at_rest(log).map_err(|error| IdentifyError {
+        log.starts_at_rest().map_err(|error| IdentifyError {
             log: Some(number),
             ..error
         })?;
@@ -195,6 +191,13 @@ pub fn identify(
         Inertia::Sketch => inertia(sketch, &nominal)?,
         Inertia::Free => None,
     };
+    // m·dv/dt = κ·u − b·v − c·sgn(v), κ from 1 − s to 1 + s, is the motion of m/κ, b/κ and c/κ under u.
+    let share = options.scale_error.unwrap_or(0.0);
+    let scale = [add_down(1.0, -share), add(1.0, share)];
+    let known = known.map(|[lo, hi]| match share == 0.0 {
+        true => [lo, hi],
+        false => [-div(-lo, scale[1]), div(hi, scale[0])],
+    });
     let period = middle(ends(&nominal.period)?);
     let bounds = search::first_bounds(&logs);
     // Without an inertia in the sketch it is looked for over six decades.
@@ -218,6 +221,8 @@ pub fn identify(
             best: best.map(|(best, _)| best),
             inertia,
             force_error: errors.force,
+            scale,
+            is_scale_open: options.scale_error.is_none() && inertia[1] > KNOWN * inertia[0],
             units,
             period,
             motion: sketch.motion,
@@ -262,33 +267,14 @@ pub fn identify(
     Ok(whole(found, shear, best, suspicion))
 }
 
+/// Up to here the largest inertia is the least but for how it is computed.
+const KNOWN: f64 = 1.0 + 1e-9;
+
 /// The least inertia that is looked for, of the largest that the logs allow.
 const LEAST_INERTIA: f64 = 1e-6;
 
 /// Into how many parts it is cut before the search.
 const SLABS: u32 = 20;
-
-/// Refuses a log in which the device moves while there is surely no force. Where the force may be off there may
-/// be one in every row: the search tells whether it can have moved the device.
-fn starts_at_rest(log: &Log) -> Result<(), IdentifyError> {
-    let first = log.forces.iter().position(|force| *force != [0.0; 2]);
-    let mut known = [f64::NEG_INFINITY, f64::INFINITY];
-    let before = log
-        .positions
-        .iter()
-        .take(first.unwrap_or(log.len() - 1) + 1);
-    for (row, [lo, hi]) in before.enumerate() {
-        known = [known[0].max(*lo), known[1].min(*hi)];
-        if known[0] > known[1] {
-            return Err(IdentifyError::new(format!(
-                "row {}: the device moves before there is a force: a log must start at rest, with no \
-                 hand on the device",
-                row + 1
-            )));
-        }
-    }
-    Ok(())
-}
 
 impl Identified {
     /// Whether some parameters fit the logs.
@@ -367,10 +353,10 @@ impl Identified {
             // An inertia may be smaller than what was looked at.
             let is_open = dimension == INERTIA && ends.is_some_and(|[lo, _]| lo <= least_inertia);
             let lo = match ends.filter(|_| !is_open) {
-                Some([lo, _]) => crate::directed::mul_down(lo, unit[0]),
+                Some([lo, _]) => mul_down(mul_down(lo, unit[0]), self.scale[0]),
                 None => 0.0,
             };
-            let hi = ends.map(|[_, hi]| crate::directed::mul(hi, unit[1]));
+            let hi = ends.map(|[_, hi]| mul(mul(hi, unit[1]), self.scale[1]));
             let best = best.map(|best| best * middle(unit));
             self.parameters.push((
                 parameter,

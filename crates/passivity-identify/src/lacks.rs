@@ -41,6 +41,8 @@ pub enum Lack {
     OtherWay,
     /// The logs fit with forces that act a row later or earlier too, with other friction.
     Row,
+    /// The logs fit with forces that are off by a factor too, with another inertia and other friction.
+    Scale,
     /// None of these: there is too little of it.
     Length,
 }
@@ -51,7 +53,7 @@ impl Lack {
     #[must_use]
     pub const fn is_doubt(&self) -> bool {
         match self {
-            Self::OtherWay | Self::Row => true,
+            Self::OtherWay | Self::Row | Self::Scale => true,
             // Such bounds are wide, or there are none, and what they leave out is refuted.
             Self::Effort
             | Self::Force
@@ -106,7 +108,7 @@ impl fmt::Display for Lack {
                 "the inertia hardly shows: add a log with a short push and a fast one, or give the inertia",
             ),
             Self::Inertia => f.write_str(
-                "the inertia was looked for over decades, and the search was not finished: give it in the \
+                "the inertia was looked for over decades, and the search was not finished: take it from a \
                  sketch, with a generous tolerance",
             ),
             Self::ForceError => f.write_str(
@@ -121,6 +123,11 @@ impl fmt::Display for Lack {
                 "with a force that acts a row later or earlier than its own the logs fit too, with a friction beyond \
                  these bounds, which are wrong if it does: log each force in the row from which it acts, and add a log \
                  with a sudden push each way, hard enough for many ticks a row",
+            ),
+            Self::Scale => f.write_str(
+                "with a force that is off by a factor, as by a torque constant, the logs fit too, with another inertia that is \
+                 allowed and with friction that is off by the same factor, beyond these bounds: say by what share of itself the \
+                 force may be off, as with --scale-error 0.05",
             ),
             Self::Length => f.write_str("there is too little motion: add a longer log, or a second one"),
         }
@@ -139,6 +146,9 @@ pub(crate) fn lacks(identified: &Identified) -> Vec<Lack> {
     }
     if fits_another_row(identified) {
         all.push(Lack::Row);
+    }
+    if identified.is_scale_open && identified.is_bounded() {
+        all.push(Lack::Scale);
     }
     all
 }

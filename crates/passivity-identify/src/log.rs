@@ -6,6 +6,7 @@ use passivity_core::BigRational;
 use passivity_sim::{Double, Enclosed};
 
 use crate::directed::{add, add_down, mul};
+use crate::identified::IdentifyError;
 use crate::kept::Duration;
 
 /// One experiment: samples of a device that starts at rest, with the force held after each.
@@ -146,6 +147,32 @@ impl Log {
             down = down.max(add_down(highest, -*hi));
         }
         [up, down]
+    }
+
+    /// Refuses a log in which the device moves while there is surely no force. Where the force may be off there may
+    /// be one in every row: the search tells whether it can have moved the device.
+    pub(crate) fn starts_at_rest(&self) -> Result<(), IdentifyError> {
+        let first = self.forces.iter().position(|force| *force != [0.0; 2]);
+        let still = self
+            .positions
+            .iter()
+            .take(first.map_or(self.len(), |first| first + 1));
+        let moved = still.clone().enumerate().find_map(|(to, [lo, hi])| {
+            let mut before = still.clone().take(to);
+            let from = before.position(|[least, most]| most < lo || hi < least)?;
+            Some((from + 1, to + 1))
+        });
+        let Some((from, to)) = moved else {
+            return Ok(());
+        };
+        let acts = first.map_or_else(String::new, |first| {
+            format!(", and no force acts before row {}", first + 1)
+        });
+        Err(IdentifyError::new(format!(
+            "row {to}: the device moves before there is a force: it is elsewhere than in row {from}{acts}: is each force \
+             logged a row after the one from which it acts, are counts off by more than --count-error, or was there a \
+             hand on the device? A log must start at rest"
+        )))
     }
 
     /// Lets each force act so many rows earlier.

@@ -2,6 +2,8 @@
 
 use std::ops::RangeInclusive;
 
+use crate::identified::IdentifyError;
+
 /// What the inertia is taken to be.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Inertia {
@@ -21,6 +23,9 @@ pub struct Options {
     /// By how much the force may be off to either side, in SI units (KΔ where the sketch is
     /// dimensionless).
     pub force_error: f64,
+    /// By what share of itself every force may be off, all alike, as by the torque constant of the motor: from 0 to below 1;
+    /// `None` where nobody says.
+    pub scale_error: Option<f64>,
     /// What the inertia is taken to be.
     pub inertia: Inertia,
     /// How many sampling intervals of motion are computed at the most, in the search for the box.
@@ -32,6 +37,7 @@ impl Default for Options {
         Self {
             count_error: 1.0,
             force_error: 0.0,
+            scale_error: None,
             inertia: Inertia::Sketch,
             effort: 20_000_000,
         }
@@ -41,6 +47,38 @@ impl Default for Options {
 impl Options {
     /// How much work may be asked for, in millions of intervals of motion.
     pub const MILLIONS: RangeInclusive<u64> = 1..=100_000;
+
+    /// Refuses errors that are none.
+    pub(crate) fn check(&self) -> Result<(), IdentifyError> {
+        let is_error = |x: f64| x >= 0.0 && x.is_finite();
+        let share = self.scale_error.unwrap_or(0.0);
+        let all = [
+            (
+                "of a count",
+                self.count_error,
+                is_error(self.count_error),
+                "a number of ticks, zero or above it",
+            ),
+            (
+                "of the force",
+                self.force_error,
+                is_error(self.force_error),
+                "a force, zero or above it",
+            ),
+            (
+                "of the scale",
+                share,
+                is_error(share) && share < 1.0,
+                "a share of the force, from 0 to below 1",
+            ),
+        ];
+        match all.iter().find(|(_, _, is_error, _)| !is_error) {
+            None => Ok(()),
+            Some((of, found, _, expected)) => Err(IdentifyError::new(format!(
+                "the error {of}: expected {expected}, found {found}"
+            ))),
+        }
+    }
 
     /// How much work the search is, unless another bound is asked for: more for logs of many rows.
     #[must_use]

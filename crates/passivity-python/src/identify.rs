@@ -27,6 +27,7 @@ pub(crate) struct Asked {
     decimal_comma: bool,
     count_error: f64,
     force_error: f64,
+    scale_error: Option<f64>,
     free_inertia: bool,
     /// In millions of intervals of motion.
     effort: Option<u64>,
@@ -93,6 +94,7 @@ pub(crate) fn identify(
         let options = Options {
             count_error: asked.count_error,
             force_error: asked.force_error,
+            scale_error: asked.scale_error,
             inertia: match asked.free_inertia {
                 true => Inertia::Free,
                 false => Inertia::Sketch,

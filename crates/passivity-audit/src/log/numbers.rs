@@ -49,6 +49,14 @@ pub(crate) fn decimal(n: i64, k: u8) -> Number {
     }
 }
 
+/// Whether n over 10^k is m over 10^l.
+fn is_same_decimal((n, k): (i64, u8), (m, l): (i64, u8)) -> bool {
+    let (n, m, more) = if k <= l { (n, m, l - k) } else { (m, n, k - l) };
+    let power = 10_i128.checked_pow(more.into());
+    // What has more digits than 128 bits is not m.
+    power.and_then(|power| power.checked_mul(n.into())) == Some(m.into())
+}
+
 impl Numbers {
     pub(crate) fn whole(values: Vec<i64>) -> Self {
         let powers = vec![0; values.len()];
@@ -101,8 +109,15 @@ impl Numbers {
             Self::Decimals(numerators, powers) if powers.get(i) == powers.get(j) => {
                 numerators.get(i) == numerators.get(j)
             }
+            Self::Decimals(numerators, powers) => {
+                let at = |i: usize| numerators.get(i).copied().zip(powers.get(i).copied());
+                match (at(i), at(j)) {
+                    (Some(a), Some(b)) => is_same_decimal(a, b),
+                    (a, b) => a == b,
+                }
+            }
             Self::Doubles(values) => values.get(i) == values.get(j),
-            Self::Decimals(..) | Self::Any(_) => self.get(i) == self.get(j),
+            Self::Any(_) => self.get(i) == self.get(j),
         }
     }
 
@@ -367,6 +382,26 @@ impl Readings {
             near: self.near.split_off(len),
             kind: self.kind,
             scale: self.scale.clone(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn decimals_are_the_same_where_their_numbers_are(
+            n in prop_oneof![any::<i64>(), -1000..1000_i64], k in 0..=27_u8, l in 0..=27_u8, tens in 0..19_u32, is_scaled: bool,
+        ) {
+            let m = if is_scaled { n.saturating_mul(10_i64.saturating_pow(tens)) } else { n / 10_i64.pow(tens) };
+            let column = Numbers::Decimals(vec![n, m], vec![k, l]);
+            prop_assert_eq!(column.is_same(0, 1), column.get(0) == column.get(1));
+            let l = if is_scaled { k.saturating_add(tens as u8) } else { k.saturating_sub(tens as u8) };
+            let column = Numbers::Decimals(vec![n, m], vec![k, l.min(27)]);
+            prop_assert_eq!(column.is_same(0, 1), column.get(0) == column.get(1));
         }
     }
 }

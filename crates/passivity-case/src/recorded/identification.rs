@@ -173,6 +173,7 @@ impl Identification {
         let options = Options {
             count_error: given.count_error,
             force_error: given.force_error,
+            scale_error: given.scale_error,
             effort: given.effort.unwrap_or_else(|| Options::effort_for(rows)),
             ..Options::default()
         };

@@ -42,6 +42,8 @@ pub struct Recordings {
     pub count_error: f64,
     /// By how much the force may be off, for the identification, in SI units.
     pub force_error: f64,
+    /// By what share of itself every force may be off, for the identification, where somebody says so.
+    pub scale_error: Option<f64>,
     /// How much work the identification may be, in intervals of motion; by default as much as
     /// `passivity identify` takes.
     pub effort: Option<u64>,

@@ -228,8 +228,12 @@ fn identified(document: &mut Document, study: &Study, recorded: &Recorded, found
         rows.push(["Recorded, as given".into(), source.date.as_str().into()].into());
     }
     let given = &recorded.given;
+    let share = given.scale_error.map_or_else(String::new, |share| {
+        let percent = significant(100.0 * share);
+        format!(", and {percent} % of itself, all forces alike")
+    });
     let errors = format!(
-        "a count: {} to either side, in ticks; a force: {} to either side",
+        "a count: {} to either side, in ticks; a force: {} to either side{share}",
         significant(given.count_error),
         significant(given.force_error)
     );

@@ -115,6 +115,8 @@ fn words(recorded: &Recorded) -> Vec<String> {
     if !given.identification.is_empty() {
         options.push(("--count-error", given.count_error.to_string()));
         options.push(("--force-error", given.force_error.to_string()));
+        let share = given.scale_error.map(|share| share.to_string());
+        options.extend(share.map(|share| ("--scale-error", share)));
         let millions = given.effort.map(|effort| (effort / 1_000_000).to_string());
         options.extend(millions.map(|effort| ("--effort", effort)));
     }

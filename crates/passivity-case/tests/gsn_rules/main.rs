@@ -187,6 +187,7 @@ fn arguments_with_recordings_keep_every_rule() {
             decimal_comma: false,
             count_error: 1.0,
             force_error: 0.0,
+            scale_error: None,
             effort: Some(1_000_000),
         };
         let mut study = Study::read(&scene).expect("a scene");

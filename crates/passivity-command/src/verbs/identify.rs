@@ -70,6 +70,15 @@ pub(crate) struct Args {
         allow_negative_numbers = true
     )]
     force_error: f64,
+    /// By what share of itself every force may be off, all alike, as by the torque constant of the motor: 0.05 for 5 %. Where
+    /// the inertia has a tolerance, or is looked for, only this tells such a scale from another inertia.
+    #[arg(
+        long,
+        value_name = "SHARE",
+        value_parser = crate::args::number(crate::args::SHARE),
+        allow_negative_numbers = true
+    )]
+    scale_error: Option<f64>,
     /// Take the inertia, with its tolerance, from the sketch, or look for it (over six decades); a sketch
     /// without an inertia has it looked for.
     #[arg(long, value_enum, default_value_t)]
@@ -132,6 +141,7 @@ pub(crate) fn run(args: &Args) -> Result<Exit, Failure> {
     let options = Options {
         count_error: args.count_error,
         force_error: args.force_error,
+        scale_error: args.scale_error,
         inertia: match args.inertia {
             Mass::Sketch => Inertia::Sketch,
             Mass::Free => Inertia::Free,

@@ -1,11 +1,11 @@
 //! What devices and logs that are none of the model are suspected of: what they are is among it.
 
 use passivity_audit::{Number, Reading, Sampled};
-use passivity_identify::identify;
+use passivity_identify::{Lack, Options, identify};
 use passivity_random::Random;
 
-use super::quick;
-use super::trial::{Device, recorded, sketch, trial};
+use super::trial::{Device, near, recorded, sketch, trial};
+use super::{DEVICE, assert_holds, pushed, quick};
 
 /// Pushed one way, and perhaps the other way.
 struct Pushed {
@@ -230,5 +230,50 @@ fn errors_of_the_log_are_named() {
         for error in errors {
             assert!(suspicion.contains(error), "{number}: {suspicion}");
         }
+    }
+}
+
+/// A force that is off by a factor fits as another inertia does, with friction that is off as much.
+#[test]
+fn a_scale_of_the_force_is_told_by_the_inertia_or_by_somebody() {
+    let right = [pushed(12.0, 20, 300, 1), pushed(-20.0, 20, 300, 2)];
+    let scaled = right.clone().map(|mut log| {
+        for force in &mut log.forces {
+            let Reading::Exact(x) = force else { continue };
+            *x = Number::from_f64(1.15 * near(x)).unwrap();
+        }
+        log
+    });
+    let known = |logs: &[Sampled], tolerance: f64, scale_error: Option<f64>| {
+        let options = Options {
+            scale_error,
+            ..quick()
+        };
+        identify(logs, &sketch(20.0, tolerance), &options, |_| true).unwrap()
+    };
+    // An inertia that is known tells it, and one that is known to some per cent does not.
+    assert!(!known(&scaled, 0.0, None).fits());
+    assert!(!known(&right, 0.0, None).lacks.contains(&Lack::Scale));
+    for logs in [&scaled, &right] {
+        let found = known(logs, 20.0, None);
+        assert!(found.fits() && found.lacks.contains(&Lack::Scale) && !found.doubts().is_empty());
+    }
+    // 1/1.15 is 13.04 % less than one.
+    for tolerance in [0.0, 20.0] {
+        let found = known(&scaled, tolerance, Some(0.1305));
+        assert_holds(&found, &DEVICE, 0);
+        assert!(!found.lacks.contains(&Lack::Scale));
+    }
+    assert!(!known(&scaled, 0.0, Some(0.1)).fits());
+    for wrong in [-0.1, 1.0, f64::NAN, f64::INFINITY] {
+        let options = Options {
+            scale_error: Some(wrong),
+            ..quick()
+        };
+        let error = identify(&right, &sketch(20.0, 0.0), &options, |_| true).unwrap_err();
+        let says = format!(
+            "the error of the scale: expected a share of the force, from 0 to below 1, found {wrong}"
+        );
+        assert_eq!(error.to_string(), says);
     }
 }

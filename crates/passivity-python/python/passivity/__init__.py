@@ -174,6 +174,7 @@ def identify(
     *,
     count_error=1.0,
     force_error=0.0,
+    scale_error=None,
     inertia="sketch",
     effort=None,
     columns=None,
@@ -191,7 +192,7 @@ def identify(
     starts at rest, and nobody touches it. ``sketch`` is a scene that says what is known: sampling period,
     encoder and, with ``inertia="sketch"``, the inertia; with ``inertia="free"`` it is looked for. A wall may be
     missing. ``count_error`` is by how many ticks a count may be off, ``force_error`` by how much the force may,
-    in N or N m. ``effort`` is how much work the search may be, in millions of intervals of motion. ``columns``,
+    in N or N m, and ``scale_error`` by what share of itself, as by a torque constant: 0.05 for 5 %. ``effort`` is how much work the search may be, in millions of intervals of motion. ``columns``,
     ``delimiter`` and ``decimal_comma`` are those of :func:`audit`. ``out`` is a file for the scene that was
     found, with ``device`` and ``date``, a day such as ``"2026-11-20"`` or a ``datetime.date``, noted in it. Where no
     scene can be written, as nothing fits or a parameter has no bounds, ``toml`` of the answer is ``None``, no file is
@@ -221,6 +222,7 @@ def identify(
         **_given.reading(columns, delimiter, decimal_comma),
         "count_error": _given.number("count_error", count_error),
         "force_error": _given.number("force_error", force_error),
+        "scale_error": None if scale_error is None else _given.number("scale_error", scale_error),
         "free_inertia": inertia == "free",
         "effort": effort,
         "device": _given.text("device", device),

@@ -69,6 +69,7 @@ def identify(
     *,
     count_error: float = 1.0,
     force_error: float = 0.0,
+    scale_error: float | None = None,
     inertia: Literal["sketch", "free"] = "sketch",
     effort: int | None = None,
     columns: str | Sequence[str] | Mapping[str, str] | None = None,

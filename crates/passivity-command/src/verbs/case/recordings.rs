@@ -59,6 +59,15 @@ pub(super) struct Options {
         conflicts_with = "check"
     )]
     force_error: f64,
+    /// By what share of itself every force may be off, all alike, in the logs for identification: 0.05 for 5 %.
+    #[arg(
+        long,
+        value_name = "SHARE",
+        value_parser = crate::args::number(crate::args::SHARE),
+        allow_negative_numbers = true,
+        conflicts_with = "check"
+    )]
+    scale_error: Option<f64>,
     /// How much work the identification may be, in millions of intervals of motion, as for
     /// `passivity identify`.
     #[arg(long, value_name = "MILLIONS", allow_negative_numbers = true, value_parser = crate::args::whole(passivity_identify::Options::MILLIONS), conflicts_with = "check")]
@@ -90,6 +99,7 @@ impl Options {
             decimal_comma: self.decimal_comma,
             count_error: self.count_error,
             force_error: self.force_error,
+            scale_error: self.scale_error,
             effort: self.effort.map(|millions| millions * 1_000_000),
         }))
     }
@@ -101,6 +111,7 @@ impl Options {
             || self.columns.is_some()
             || self.delimiter.is_some()
             || self.effort.is_some()
+            || self.scale_error.is_some()
             || self.decimal_comma;
         !said && self.date.is_empty() && self.count_error == 1.0 && self.force_error == 0.0
     }
