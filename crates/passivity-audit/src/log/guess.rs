@@ -8,6 +8,7 @@ use passivity_scene::{Motion, Scene};
 use crate::log::columns::{Found, Role};
 use crate::log::header::{Heading, is_of_recorder, is_unit_of_force, split};
 use crate::log::preview::Preview;
+pub(crate) use axes::beside_axes;
 pub(crate) use clock::other_unit;
 use clock::{Counter, Parts, counter, parts_of_time, unit_of_time};
 pub(crate) use joints::others;
@@ -21,10 +22,12 @@ pub(crate) use units::same_letters;
 pub(crate) use whole::{either, has_no_unit, is_unclear, no_encoder, units_of_motion};
 use words::{COUNTED, OF_STEPS, words};
 
+mod axes;
 mod clock;
 mod joints;
 mod kind;
 mod lengths;
+mod made;
 mod proposal;
 mod rising;
 mod rivals;
@@ -279,9 +282,15 @@ pub(crate) fn named(
     // Alone with what is not known, as even as a clock is none but one.
     let is_clock = |column| !is_timed && headings.len() > 1 && preview.is_even(column);
     let in_doubt = in_doubt(headings, preview, scene);
+    let places = candidates
+        .iter()
+        .filter(|c| c.kind == Kind::Position && !counts_up(c));
+    let places: Vec<usize> = places.map(|c| c.column).collect();
+    let behind = made::behind(&places, headings, preview, scene);
     let goes_behind = |c: &Candidate| match c.kind {
         _ if in_doubt.iter().any(|found| found.column == c.column) => true,
         Kind::Time => has_clock && counts_up(c),
+        Kind::Position if behind.contains(&c.column) => true,
         Kind::Position => (has_place || is_clock(c.column)) && counts_up(c),
         Kind::Force | Kind::Velocity => false,
     };

@@ -83,7 +83,8 @@ impl Layout {
                 }
                 let mut said = by_name(&headings).map_err(|e| proposed(e, &[]))?;
                 let is_no_clock = is_no_clock(&said, &headings, preview, scene);
-                let in_doubt = guess::in_doubt(&headings, preview, scene);
+                let mut in_doubt = guess::in_doubt(&headings, preview, scene);
+                in_doubt.extend(guess::beside_axes(&headings, preview, scene));
                 said.retain(|found| {
                     !(is_no_clock && found.role == Role::Tau
                         || in_doubt.contains(found)

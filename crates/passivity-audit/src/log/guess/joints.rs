@@ -3,7 +3,8 @@
 use passivity_scene::Scene;
 
 use super::kind::Kind;
-use super::score;
+use super::made::was_made;
+use super::{LIKELY, score};
 use crate::log::columns::Found;
 use crate::log::error::shown;
 use crate::log::header::{Heading, is_of_recorder, split};
@@ -45,6 +46,11 @@ pub(crate) fn others(
         // A position of which it is less clear, as `x_d` beside `x_m`, may be it still.
         let less = if kind == Kind::Position { 3 } else { 0 };
         let least = score(guessed.column).map(|score| score - less);
+        // Of one that was made of another, all others.
+        let made = headings
+            .get(guessed.column)
+            .filter(|it| kind == Kind::Position && was_made(it));
+        let least = made.map_or(least, |_| Some(LIKELY));
         // Of other clocks only those of a recorder are named.
         let is_asked = move |column: &usize| match kind {
             Kind::Position | Kind::Force => true,

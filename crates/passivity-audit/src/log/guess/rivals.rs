@@ -4,7 +4,8 @@
 use passivity_scene::Scene;
 
 use super::kind::Kind;
-use super::score::{called, score};
+use super::made::{is_measured, was_made};
+use super::score::{called, own_unit, score};
 use super::words::{HELD, NOT_MEASURED, OF_ANOTHER, PERHAPS_WANTED, words};
 use super::{is_called_a_count, role};
 use crate::log::columns::{Found, Role};
@@ -12,6 +13,7 @@ use crate::log::error::shown;
 use crate::log::header::Heading;
 use crate::log::names::by_name;
 use crate::log::preview::Preview;
+use crate::log::scale::position_scale;
 
 /// How much a column is called like a kind by a word for it alone.
 const NAMED: i32 = 4;
@@ -57,12 +59,38 @@ fn is_rival(
         Role::F => is_held && called(heading) >= NAMED,
         _ => {
             let other = role(kind, headings, column, preview, scene);
-            let is_alike = other.is_some_and(|other| other.role == found.role);
-            // In a unit, what an encoder says is rounded to its ticks, and not where the device was.
-            let is_rounded = found.role == Role::X && is_called_a_count(&heading.name);
-            is_alike && !is_rounded && called(heading) > own
+            let Some(other) = other.filter(|other| other.role == found.role) else {
+                return false;
+            };
+            // In a unit, what an encoder says is rounded to its ticks, and not where the device was, if both moved alike.
+            let is_rounded = found.role == Role::X
+                && is_called_a_count(&heading.name)
+                && !moved_apart([found, &other], headings, preview, scene);
+            let is_said = called(heading) > own || is_measured(heading);
+            is_said && !is_rounded && !was_made(heading)
         }
     }
+}
+
+/// Whether two positions in units moved from the first row on by lengths that are more ticks apart than rounding makes them.
+fn moved_apart(
+    columns: [&Found; 2],
+    headings: &[Heading],
+    preview: &Preview,
+    scene: &Scene,
+) -> bool {
+    const TICKS: f64 = 2.0;
+    let [Some(a), Some(b)] = columns.map(|found| {
+        let own = own_unit(Kind::Position, headings.get(found.column)?, scene.motion);
+        let scale = position_scale(found.unit.as_deref().or(own.as_deref()), scene).ok()?;
+        let numbers = preview.numbers(found.column);
+        let first = *numbers.first()?;
+        let moved = numbers.into_iter().map(move |x| (x - first) * scale.size());
+        Some(moved.collect::<Vec<f64>>())
+    }) else {
+        return false;
+    };
+    scene.given.has_encoder() && a.iter().zip(&b).any(|(a, b)| (a - b).abs() > TICKS)
 }
 
 /// Whether a column is the number of the row, from 0 or 1 on, of as many rows as tell: an encoder that moves evenly is none.

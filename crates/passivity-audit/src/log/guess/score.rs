@@ -10,7 +10,7 @@ use super::words::{
     COMMANDED, COMMANDER, FORCE_PAIRS, HELD, MEASURED, NO_FORCE, NO_POSITION, NO_TIME,
     NOT_MEASURED, PERHAPS_WANTED, words,
 };
-use super::{LIKELY, has_force, is_counted, is_none_of, lengths, side, units, whole};
+use super::{LIKELY, axes, has_force, is_counted, is_none_of, lengths, made, side, units, whole};
 use crate::log::error::shown;
 use crate::log::header::{Heading, is_unit_of_force, read_unit, read_unit_of_force, split};
 use crate::log::preview::Preview;
@@ -182,8 +182,14 @@ pub(super) fn score(
     if is_none_of(kind, heading, column, preview) {
         return None;
     }
-    let mut score = held(kind, headings, column, preview, scene).ok()?;
-    score += called(kind, heading, scene.motion);
+    let of_unit = held(kind, headings, column, preview, scene).ok()?;
+    let of_name = called(kind, heading, scene.motion);
+    let mut score = of_unit + of_name;
+    // What has a unit of positions needs no word for one where it is said to be measured, or is an axis.
+    let is_open = kind == Kind::Position && of_unit > 0 && of_name == 0;
+    if is_open && (made::is_measured(heading) || axes::is_axis(heading)) {
+        score += 2;
+    }
     if kind == Kind::Force && may_be_force(heading, column, preview, scene) {
         score += LIKELY;
     }

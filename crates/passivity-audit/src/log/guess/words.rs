@@ -1,7 +1,7 @@
 //! The words of the names of columns, and what they say.
 
 /// What a commanded or wanted motion is called: not the one that was.
-pub(super) const NOT_MEASURED: [&str; 59] = [
+pub(super) const NOT_MEASURED: [&str; 61] = [
     "ref",
     "reference",
     "target",
@@ -62,6 +62,8 @@ pub(super) const NOT_MEASURED: [&str; 59] = [
     "目标",
     "目標",
     "指令",
+    "tgt",
+    "dem",
 ];
 
 /// What is said of a position or a force that is not the one which was there, beside those: what a program has made, errors,
@@ -94,7 +96,7 @@ pub(super) const OF_ANOTHER: [&str; 21] = [
 pub(super) const PERHAPS_WANTED: [&str; 2] = ["d", "r"];
 
 /// What a motion that was measured is called.
-pub(super) const MEASURED: [&str; 27] = [
+pub(super) const MEASURED: [&str; 32] = [
     "measured",
     "measurement",
     "meas",
@@ -122,6 +124,11 @@ pub(super) const MEASURED: [&str; 27] = [
     "misurato",
     "misurata",
     "实际",
+    "raw",
+    "unfiltered",
+    "dev",
+    "tip",
+    "true",
 ];
 
 /// Those of them that are no time either: `wall_time` and `command_time` are.
@@ -235,9 +242,10 @@ pub(super) const OF_FORCE: [&str; 9] = [
 ];
 
 /// What stands in one word before a position that was measured, as in `Motorwinkel` and `motorposition`.
-pub(super) const OF_DEVICE: [&str; 20] = [
+pub(super) const OF_DEVICE: [&str; 21] = [
     "motor", "rotor", "servo", "dreh", "geber", "encoder", "ist", "achs", "achsen", "gelenk",
     "wellen", "knopf", "joint", "knob", "handle", "shaft", "axis", "wheel", "device", "actual",
+    "antriebs",
 ];
 
 /// What a count is called, as a word of a name or as a unit.
@@ -263,6 +271,58 @@ pub(super) const OF_STEPS: [&str; 3] = ["step", "schritt", "schritte"];
 /// What counts sampling periods, and what counts ticks of a clock, whose length it does not say.
 pub(super) const OF_PERIODS: [&str; 5] = ["sample", "seq", "sequence", "iteration", "iter"];
 pub(super) const OF_TICKS: [&str; 4] = ["tick", "systick", "jiffie", "cyccnt"];
+
+/// What a position is called that was made of one that was measured, or of another device, beside what is of another: after a
+/// filter, at another time, or of many rows.
+pub(super) const MADE: [&str; 46] = [
+    "filtered",
+    "filter",
+    "filt",
+    "lpf",
+    "lp",
+    "smooth",
+    "smoothed",
+    "avg",
+    "average",
+    "averaged",
+    "mean",
+    "estimated",
+    "estimate",
+    "est",
+    "hat",
+    "kalman",
+    "kf",
+    "ekf",
+    "obs",
+    "observer",
+    "observed",
+    "pred",
+    "prediction",
+    "delayed",
+    "delay",
+    "prev",
+    // `previous`, without what may be the end of a plural.
+    "previou",
+    "last",
+    "old",
+    "interpolated",
+    "interp",
+    "ghost",
+    "slave",
+    "follower",
+    "remote",
+    "min",
+    "max",
+    "gefiltert",
+    "geglättet",
+    "geschätzt",
+    "filtré",
+    "filtrée",
+    "estimé",
+    "filtrado",
+    "estimado",
+    "filtrato",
+];
 
 /// The signs of micro: that of its own and the Greek letter.
 pub(super) const MICRO: [char; 2] = ['\u{b5}', '\u{3bc}'];

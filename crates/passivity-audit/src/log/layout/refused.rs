@@ -25,7 +25,9 @@ pub(super) fn not_read(
     };
     let only_rises = |found: &&Found| guess::only_rises(headings, preview, scene, found);
     let (rising, called): (Vec<&Found>, Vec<&Found>) = unread.iter().partition(only_rises);
+    let axis = guess::beside_axes(headings, preview, scene);
     let mut columns: Vec<usize> = called.iter().map(|found| found.column).collect();
+    columns.retain(|column| axis.as_ref().is_none_or(|it| it.column != *column));
     columns.sort_unstable();
     let names: Vec<String> = columns.into_iter().map(name).collect();
     let mut said = match names.as_slice() {
@@ -47,6 +49,12 @@ pub(super) fn not_read(
     said.extend(in_doubt.iter().map(|found| {
         let why = guess::why_in_doubt(found);
         format!("the column {} {why}", name(found.column))
+    }));
+    said.extend(axis.map(|found| {
+        let name = name(found.column);
+        format!(
+            "the column {name} is one of several axes, and may not be the one that the wall is at"
+        )
     }));
     let cannot_be_read = |column: usize, why: &str, put_right: &str| {
         format!(

@@ -155,7 +155,24 @@ fn a_force_that_is_commanded_is_not_passed_over_for_one_called_f() {
 
 #[test]
 fn a_position_that_was_measured_is_not_passed_over_for_one_called_x() {
-    for name in ["position_measured [mm]", "x_meas [mm]", "x_actual [mm]"] {
+    for name in [
+        "position_measured [mm]",
+        "x_meas [mm]",
+        "x_actual [mm]",
+        "x_raw [mm]",
+        "x_unfiltered [mm]",
+        "x_true [mm]",
+        "x_dev [mm]",
+        "x_tip [mm]",
+        "measured [mm]",
+        "actual [mm]",
+        "Ist [mm]",
+        "feedback [mm]",
+        // An encoder that says something else than the same, rounded.
+        "x_enc [mm]",
+        "enc_pos [mm]",
+        "encoder [mm]",
+    ] {
         let log = format!("t [s],x [mm],{name}\n0,0,0\n0.001,0,0.1\n");
         assert_eq!(proposed(&log, None), format!("t=t [s], x={name}"));
         let text = refused(&log, None).to_string();
@@ -165,16 +182,37 @@ fn a_position_that_was_measured_is_not_passed_over_for_one_called_x() {
         );
         audited(&log, Some("t=t [s], x=x [mm]")).unwrap();
     }
-    // A wanted one, another like it, counts, and the clock in another unit.
+    // A wanted one, one that was made of it, another like it, counts, and the clock in another unit.
     for name in [
         "x_ref [mm]",
         "position [mm]",
         "encoder",
-        "encoder [mm]",
         "pos_des [mm]",
+        "x_filt [mm]",
+        "x_sim [mm]",
+        "x_est [mm]",
+        "x_raw_filt [mm]",
+        "x_raw [V]",
+        "actual [A]",
         "timestamp_us",
     ] {
         let log = format!("t [s],x [mm],{name}\n0,0,0\n0.001,0.5,1\n0.002,0,5\n");
+        audited(&log, None).unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+    // The same, rounded to ticks from where the device was, and counted from elsewhere.
+    for name in ["encoder [mm]", "x_enc [mm]", "enc_pos [um]"] {
+        let rows: String = (0..9_i32)
+            .map(|i| {
+                let ticks = i * i;
+                let um = name.ends_with("[um]");
+                let rounded = match um {
+                    true => format!("{}", (ticks + 700) * 10),
+                    false => format!("{}", f64::from(ticks + 700) / 100.0),
+                };
+                format!("0.00{i},{:.2}4,{rounded}\n", f64::from(ticks) / 100.0)
+            })
+            .collect();
+        let log = format!("t [s],x [mm],{name}\n{rows}");
         audited(&log, None).unwrap_or_else(|error| panic!("{name}: {error}"));
     }
 }

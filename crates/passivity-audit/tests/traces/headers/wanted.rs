@@ -22,6 +22,9 @@ fn what_was_measured_goes_before_what_was_wanted() {
         ["pos_demand", "enc_pos"],
         ["posición deseada x", "x medida"],
         ["pos1", "pos1_meas"],
+        ["pos", "pos_unfiltered"],
+        ["x_tgt", "x_pos"],
+        ["x_dem", "x_pos"],
     ] {
         for header in [
             format!("{wanted},{measured}"),
@@ -31,6 +34,60 @@ fn what_was_measured_goes_before_what_was_wanted() {
             let unit = if measured.contains('[') { "" } else { " [m]" };
             assert_eq!(columns, format!("t=t [ms], x={measured}{unit}"));
         }
+    }
+    for made in [
+        "filt",
+        "filtered",
+        "lpf",
+        "smooth",
+        "avg",
+        "estimated",
+        "est",
+        "hat",
+        "kalman",
+        "obs",
+        "pred",
+        "delayed",
+        "prev",
+        "previous",
+        "model",
+        "sim",
+        "virtual",
+        "cursor",
+        "ghost",
+        "slave",
+        "follower",
+        "remote",
+        "min",
+        "max",
+        "tgt",
+        "dem",
+    ] {
+        for (made, measured) in [
+            (format!("x_{made} [mm]"), "x_raw [mm]"),
+            (format!("x_{made} [mm]"), "dev_pos [mm]"),
+            (format!("x_{made} [mm]"), "pos_tip [mm]"),
+            (format!("x_{made} [mm]"), "position_a [mm]"),
+            (format!("{made} pos [mm]"), "pos [mm]"),
+            (format!("x_{made} [mm]"), "y_meas [mm]"),
+        ] {
+            for header in [format!("{made},{measured}"), format!("{measured},{made}")] {
+                let columns = proposed(&log(&header), None);
+                assert_eq!(columns, format!("t=t [ms], x={measured}"), "{header}");
+            }
+        }
+    }
+    // Alone it is what there is, and beside what may be wanted, or anything else, the others are named.
+    for (header, columns, others) in [
+        ("x_filt [mm],aux", "x=x_filt [mm]", &[][..]),
+        ("pos_lpf [mm],x_ref [mm]", "x=pos_lpf [mm]", &["x_ref [mm]"]),
+        ("x_est [mm],x_d [mm]", "x=x_est [mm]", &["x_d [mm]"]),
+        ("x_hat [mm],height [mm]", "x=x_hat [mm]", &["height [mm]"]),
+        ("x_hat [mm],x_filt [mm]", "x=x_hat [mm]", &["x_filt [mm]"]),
+    ] {
+        let proposal = refused(&log(header), None).proposal.unwrap();
+        assert_eq!(proposal.columns, format!("t=t [ms], {columns}"));
+        assert_eq!(proposal.others, others, "{header}");
     }
     // Of a device that turns, `m` is no unit, but measured.
     for names in [["x_d", "x_m"], ["pos_r", "pos_m"], ["theta_d", "theta_m"]] {

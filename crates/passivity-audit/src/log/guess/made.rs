@@ -1,0 +1,55 @@
+//! Positions that were measured, and those that were made of them: after a filter, at another time, or of another device.
+
+use passivity_scene::{Motion, Scene};
+
+use super::kind::Kind;
+use super::score::called;
+use super::words::{MADE, MEASURED, NOT_MEASURED, OF_ANOTHER, PERHAPS_WANTED, words};
+use super::{LIKELY, beside_axes};
+use crate::log::header::{Heading, split};
+use crate::log::preview::Preview;
+
+/// Whether the name of a column has a word of a list.
+pub(super) fn has_one(heading: &Heading, list: &[&str]) -> bool {
+    let is_it = |word: &String| list.contains(&word.as_str());
+    // A unit is no word: `y [m]` is not said to be measured.
+    let stem = split(&heading.name).map_or(heading.name.as_str(), |split| split.stem);
+    words(stem).iter().any(is_it)
+}
+
+/// Whether a position is said to be measured.
+pub(super) fn is_measured(heading: &Heading) -> bool {
+    has_one(heading, &MEASURED)
+}
+
+/// Whether a position is said to be made of another one, as a filtered one is.
+pub(super) fn was_made(heading: &Heading) -> bool {
+    has_one(heading, &MADE) || has_one(heading, &OF_ANOTHER)
+}
+
+/// Whether a column that has positions may have those that were measured: it is called a position, or is said to be measured,
+/// and is said to be neither made of another one nor wanted.
+fn may_be_measured(heading: &Heading, motion: Motion) -> bool {
+    let is_wanted = has_one(heading, &NOT_MEASURED) || has_one(heading, &PERHAPS_WANTED);
+    let is_named = called(Kind::Position, heading, motion) >= LIKELY && !is_wanted;
+    (is_named || is_measured(heading)) && !was_made(heading)
+}
+
+/// Of columns with positions those that go behind the others: what was made, where one of the others may be measured, and the
+/// axis `x` where it rests and another one moves.
+pub(super) fn behind(
+    columns: &[usize],
+    headings: &[Heading],
+    preview: &Preview,
+    scene: &Scene,
+) -> Vec<usize> {
+    let heading = |column: usize| headings.get(column);
+    let mut all = columns.iter().filter_map(|column| heading(*column));
+    let has_measured = all.any(|it| may_be_measured(it, scene.motion));
+    let axis = beside_axes(headings, preview, scene).map(|x| x.column);
+    let is_behind = |column: &usize| {
+        let is_made = has_measured && heading(*column).is_some_and(was_made);
+        is_made || axis == Some(*column) && !preview.moves(*column)
+    };
+    columns.iter().copied().filter(is_behind).collect()
+}
