@@ -4,6 +4,7 @@
 use passivity_scene::{Motion, Scene};
 
 use super::kind::Kind;
+use super::made::has_one;
 use super::score::own_unit;
 use super::whole;
 use super::words::words;
@@ -34,12 +35,35 @@ const MOTOR: [&str; 17] = [
 
 /// What is where the encoder is, as far as nothing says that it is at the device: with the encoder at the motor, its shaft is
 /// the one that goes into the transmission.
-const AT_ENCODER: [&str; 6] = ["encoder", "enc", "shaft", "input", "mech", "mechanical"];
+const AT_ENCODER: [&str; 8] = [
+    "encoder",
+    "enc",
+    "shaft",
+    "input",
+    "mech",
+    "mechanical",
+    "primary",
+    "before",
+];
 
 /// What is behind the transmission.
 const AT_DEVICE: [&str; 7] = [
     "output", "load", "device", "handle", "knob", "paddle", "joint",
 ];
+
+/// What turns with the motor, before a transmission: of angles and speeds.
+const TURNS_WITH_MOTOR: [&str; 5] = ["antrieb", "capstan", "spool", "drum", "pinion"];
+
+/// What an angle is called that turns by a turn for each pair of magnet poles, and the letter for that behind an angle.
+const ELECTRICAL: [&str; 6] = [
+    "electrical",
+    "elec",
+    "elektrisch",
+    "elektrischer",
+    "électrique",
+    "eléctrico",
+];
+const OF_POLES: &str = "e";
 
 /// What only turns is called.
 const ANGLES: [&str; 6] = ["theta", "phi", "θ", "φ", "angle", "winkel"];
@@ -50,9 +74,11 @@ pub(super) fn is_at_motor(kind: Kind, heading: &Heading, scene: &Scene) -> bool 
     if kind == Kind::Time || scene.transmission.is_none() {
         return false;
     }
+    let is_moved = is_motion(kind) && !has_one(heading, &AT_DEVICE);
     let is_motor = |word: &String| {
         let is_part = |part: &&str| word.starts_with(part) || word.ends_with(part);
-        MOTOR.iter().any(is_part) || word.ends_with("mot")
+        let is_turned = is_moved && TURNS_WITH_MOTOR.iter().any(is_part);
+        MOTOR.iter().any(is_part) || word.ends_with("mot") || is_turned
     };
     let is_short = split(&heading.name).is_ok_and(|split| {
         // In brackets it is a unit.
@@ -60,17 +86,40 @@ pub(super) fn is_at_motor(kind: Kind, heading: &Heading, scene: &Scene) -> bool 
         let words = words(split.stem);
         let has = |other: &str| words.iter().any(|word| word == other);
         let is_turned = scene.motion != Motion::Linear || ANGLES.into_iter().any(has);
-        has("m") || (is_last && is_turned)
+        // As in `thm`.
+        let is_joined = |word: &String| {
+            let before = word.strip_suffix('m');
+            before.is_some_and(|it| it == "th" || ANGLES.contains(&it))
+        };
+        has("m") || (is_last && is_turned) || words.iter().any(is_joined)
     });
-    let is_encoded = counts_are_at_motor(scene) && is_at_encoder(kind, heading);
+    let is_encoded = counts_are_at_motor(scene) && is_at_encoder(kind, heading, scene);
     is_short || is_encoded || words(&heading.name).iter().any(is_motor)
 }
 
 /// Whether the name of a column seems to be that of a motion at the encoder: `encoder_angle`, `shaft_angle`.
-fn is_at_encoder(kind: Kind, heading: &Heading) -> bool {
-    let words = words(&heading.name);
-    let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
-    matches!(kind, Kind::Position | Kind::Velocity) && has(&AT_ENCODER) && !has(&AT_DEVICE)
+fn is_at_encoder(kind: Kind, heading: &Heading, scene: &Scene) -> bool {
+    // On a line it may be the unit: `pos_in` is in inches.
+    let is_in = scene.motion != Motion::Linear && has_one(heading, &["in"]);
+    is_motion(kind) && (is_in || has_one(heading, &AT_ENCODER)) && !has_one(heading, &AT_DEVICE)
+}
+
+const fn is_motion(kind: Kind) -> bool {
+    matches!(kind, Kind::Position | Kind::Velocity)
+}
+
+/// Why a column is no position of the motor or the device, where its name says that it has electrical angles.
+fn electrical(kind: Kind, heading: &Heading) -> Option<String> {
+    let stem = split(&heading.name).map_or(heading.name.as_str(), |split| split.stem);
+    let words = words(stem);
+    let is_angle = words.iter().any(|word| ANGLES.contains(&word.as_str()));
+    let is_behind = is_angle && words.last().is_some_and(|word| word == OF_POLES);
+    let is_it = kind == Kind::Position && (is_behind || has_one(heading, &ELECTRICAL));
+    is_it.then(|| {
+        "by its name it seems to be an electrical angle, which makes a turn for each pair of magnet poles: log the angle of \
+         the shaft, or the counts of the encoder"
+            .to_owned()
+    })
 }
 
 /// Whether the encoder of the scene is at the motor, so that the counts of a log are, too.
@@ -88,6 +137,9 @@ pub(super) fn not_at_device(
     preview: &Preview,
     scene: &Scene,
 ) -> Option<String> {
+    if let Some(why) = electrical(kind, heading) {
+        return Some(why);
+    }
     if !is_at_motor(kind, heading, scene) {
         return None;
     }
@@ -124,7 +176,7 @@ pub(super) fn not_at_device(
         }
         _ => "",
     };
-    let by_name = match counted && is_at_encoder(kind, heading) {
+    let by_name = match counted && is_at_encoder(kind, heading, scene) {
         true => "by its name, as the scene's encoder is there,",
         false => "by its name",
     };

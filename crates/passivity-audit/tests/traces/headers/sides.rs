@@ -61,6 +61,11 @@ fn a_motion_of_the_motor_is_not_proposed_as_one_of_the_device() {
             "actuator_angle [deg]",
             "servo_angle",
             "position moteur",
+            "Antriebswinkel",
+            "Winkel_Antrieb [deg]",
+            "capstan_angle",
+            "spool_pos",
+            "drum_angle [rad]",
             "/motor/joint_states.position.knob",
         ] {
             let error = refused(&scene, name, rows);
@@ -70,6 +75,11 @@ fn a_motion_of_the_motor_is_not_proposed_as_one_of_the_device() {
             assert!(text.contains("`x` is at the device"), "{text}");
             assert!(text.contains("divide its numbers by the ratio"), "{text}");
             assert!(!text.contains("x=") && !text.contains("count="), "{text}");
+        }
+        // Those that are called a position by nothing but their unit.
+        for name in ["thm [rad]", "thetam [deg]", "mtr [rad]"] {
+            let error = refused(&scene, name, rows);
+            assert_eq!(error.proposal, None, "{error}");
         }
         // What is at the device is read beside it, and the motion of the motor is not.
         let error = refused(
@@ -92,7 +102,12 @@ fn a_motion_of_the_motor_is_not_proposed_as_one_of_the_device() {
     // A unit in brackets says nothing of a motor, and on a line metres are at the device.
     let error = refused(&geared("motor"), "position [m]", rows);
     assert!(!error.to_string().contains("motor"), "{error}");
-    for (name, is_motor) in [("theta_m", true), ("x_m", false), ("pos [m]", false)] {
+    for (name, is_motor) in [
+        ("theta_m", true),
+        ("x_m", false),
+        ("pos [m]", false),
+        ("pos_in", false),
+    ] {
         let found = audited_on(&cable(), &log(name, rows), None);
         let text = found.map_or_else(|error| error.to_string(), |_| String::new());
         assert_eq!(text.contains("at the motor"), is_motor, "{name}: {text}");
@@ -120,6 +135,9 @@ fn a_motion_of_an_encoder_at_the_motor_is_not_proposed_as_one_of_the_device() {
         "mech_angle",
         "armature_angle [rad]",
         "axis0.encoder.pos_estimate",
+        "angle_in",
+        "primary_angle",
+        "angle_before_gear [rad]",
     ] {
         let error = refused(&geared("motor"), name, rows);
         assert_eq!(error.proposal, None, "{error}");
@@ -139,7 +157,12 @@ fn a_motion_of_an_encoder_at_the_motor_is_not_proposed_as_one_of_the_device() {
         }
     }
     // A second one may be behind the transmission.
-    for name in ["output_encoder [rad]", "joint_enc_pos [rad]"] {
+    for name in [
+        "output_encoder [rad]",
+        "joint_enc_pos [rad]",
+        "load_drum_angle [rad]",
+        "Abtriebsposition [rad]",
+    ] {
         let proposal = refused(&geared("motor"), name, rows).proposal.unwrap();
         assert_eq!(proposal.columns, format!("t=t [s], x={name}"));
     }
@@ -149,6 +172,37 @@ fn a_motion_of_an_encoder_at_the_motor_is_not_proposed_as_one_of_the_device() {
         let columns = format!("t=t [s], count={name}");
         assert_eq!(proposal.unwrap().columns, columns);
     }
+}
+
+#[test]
+fn an_electrical_angle_is_no_position_of_any_side() {
+    let rows = ["0.1", "0.28", "0.1"];
+    for scene in [rotary(), geared("motor"), geared("device"), cable()] {
+        for name in [
+            "electrical_angle [rad]",
+            "elec_angle",
+            "theta_e",
+            "theta_e [rad]",
+            "phi_elec [deg]",
+        ] {
+            let error = refused(&scene, name, rows);
+            assert_eq!(error.proposal, None, "{error}");
+            let text = error.to_string();
+            assert!(text.contains("seems to be an electrical angle"), "{text}");
+            assert!(!text.contains("x=") && !text.contains("count="), "{text}");
+        }
+    }
+    // Who names it says that it is a position, and another one is proposed beside it.
+    let own = log("theta_e", rows);
+    audited_on(&rotary(), &own, Some("t=t [s], x=theta_e [rad]")).unwrap();
+    let error = refused(
+        &rotary(),
+        "electrical_angle [rad],angle [rad]",
+        ["0,0", "1.5,0.1", "3,0.2"],
+    );
+    let proposal = error.proposal.unwrap();
+    assert_eq!(proposal.columns, "t=t [s], x=angle [rad]");
+    assert_eq!(proposal.others, Vec::<String>::new());
 }
 
 #[test]
