@@ -211,12 +211,28 @@ pub(crate) fn position_scale(text: Option<&str>, scene: &Scene) -> Result<Scale,
     needs_units(scene, "xi")?;
     let unit = read_unit(given(text, "x [rad]")?)?;
     expect(&unit, Dimension::new(0, 1, 0, 0), scene, "a position")?;
-    let scale = Scale::of(exact(&unit).over(nominal(scene).length()))?;
-    if scale.is_irrational() && !scene.given.has_encoder() {
-        let message = "without an encoder positions must be in radians or metres";
-        return Err(TraceError::new("unit", message));
+    if let Some(radians) = in_radians(&unit, scene) {
+        return Err(TraceError::new("unit", needs_radians(radians)));
     }
-    Ok(scale)
+    Scale::of(exact(&unit).over(nominal(scene).length()))
+}
+
+/// How many radians the unit of an angle is, where it has π in it and the scene has no encoder, without which such angles
+/// are not read.
+pub(crate) fn in_radians(unit: &Unit, scene: &Scene) -> Option<f64> {
+    let is_angle =
+        scene.motion == Motion::Rotary && unit.dimension().with_angle(0) == Dimension::NONE;
+    let is_irrational = unit.pi_power() != 0 && is_angle && !scene.given.has_encoder();
+    let enclosure = exact(unit).enclosure(64).filter(|_| is_irrational)?;
+    Some(near(&enclosure.middle()))
+}
+
+/// Why they are not, and what is to be done about it.
+pub(crate) fn needs_radians(radians: f64) -> String {
+    format!(
+        "without an encoder in the scene positions are accounted for in radians, of which angles in other units are no exact \
+         multiple: multiply its numbers by {radians:?} and call the column `x [rad]`"
+    )
 }
 
 /// A unit in SI.

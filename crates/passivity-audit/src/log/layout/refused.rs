@@ -6,9 +6,9 @@ use super::{Layout, header};
 use crate::log::columns::{Columns, Found, Role};
 use crate::log::error::{TraceError, shown};
 use crate::log::guess::{self, Otherwise, Unreadable};
-use crate::log::header::Heading;
+use crate::log::header::{Heading, read_unit, split};
 use crate::log::preview::Preview;
-use crate::log::scale::force_scale;
+use crate::log::scale::{force_scale, in_radians, needs_radians};
 use crate::shell::shell_word;
 
 /// Why a header with columns that look like something else is refused, some of which cannot be read.
@@ -106,6 +106,23 @@ pub(super) fn not_read(
             }
         };
         cannot_be_read(unreadable.column, &unreadable.why, put_right)
+    }));
+    said.extend(read.iter().filter_map(|found| {
+        let heading = headings.get(found.column).filter(|_| found.role == Role::X)?;
+        let own = split(&heading.name).ok()?.unit;
+        let unit = read_unit(found.unit.as_deref().or(own.as_deref())?).ok()?;
+        let in_radians = in_radians(&unit, scene)?;
+        let name = name(found.column);
+        let number = found.column + 1;
+        let example = preview.delimiter.map_or_else(String::new, |delimiter| {
+            let apart = delimiter.to_string().replace('\t', "\\t");
+            format!(
+                ", as with `awk -F'{apart}' -v OFS='{apart}' 'NR == 1 {{${number} = \"x [rad]\"}} NR > 1 {{${number} = \
+                 sprintf(\"%.15g\", ${number} * {in_radians:?})}} 1' log.csv > radians.csv` of a log of one line of names and rows of \
+                 numbers below it"
+            )
+        });
+        Some(format!("the column {name} cannot be read: {}{example}", needs_radians(in_radians)))
     }));
     // Nor is a force of this name read, where its unit is another's.
     said.extend(known.iter().filter_map(|found| {

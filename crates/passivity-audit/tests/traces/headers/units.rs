@@ -1,5 +1,7 @@
 //! Units: in a line of their own, anywhere in a name, and in words.
 
+use passivity_scene::Scene;
+
 use super::{audited, audited_on, proposed, refused, rotary, scene};
 use crate::scratch::Scratch;
 use passivity_audit::{Options, audit_files};
@@ -290,9 +292,7 @@ fn positions_without_a_unit_are_proposed_in_both_that_are_usual() {
             .contains("x=Winkel [mm], v=speed [mm/s]")
     );
     // Without an encoder degrees cannot be read.
-    let text = "[device]\nviscous = \"9e-4 N m s/rad\"\n[sampling]\nperiod = \"1 ms\"\n[wall]\nstiffness = \"1 N m/rad\"";
-    let smooth = passivity_scene::Scene::from_toml("smooth", text).unwrap();
-    let error = audited_on(&smooth, log, None).unwrap_err();
+    let error = audited_on(&smooth(), log, None).unwrap_err();
     assert!(
         error
             .to_string()
@@ -300,6 +300,50 @@ fn positions_without_a_unit_are_proposed_in_both_that_are_usual() {
         "{error}"
     );
     assert_eq!(error.proposal.unwrap().otherwise, []);
+}
+
+/// A device that turns, without an encoder.
+fn smooth() -> Scene {
+    let text = "[device]\nviscous = \"9e-4 N m s/rad\"\n[sampling]\nperiod = \"1 ms\"\n[wall]\nstiffness = \"1 N m/rad\"";
+    Scene::from_toml("smooth", text).unwrap()
+}
+
+#[test]
+fn degrees_without_an_encoder_are_refused_with_what_makes_radians_of_them() {
+    let scene = smooth();
+    for (name, radians) in [
+        ("angle_deg", "0.017453292519943295"),
+        ("x [deg]", "0.017453292519943295"),
+        ("x [rev]", "6.283185307179586"),
+    ] {
+        let log = format!("t [s],{name},torque_Nm\n0,0.1,-0.5\n.001,0.2,-1\n");
+        let error = audited_on(&scene, &log, None).unwrap_err();
+        assert_eq!(error.proposal, None, "{error}");
+        let column = format!("the column `{name}` cannot be read: without an encoder in the scene");
+        let multiply = format!("multiply its numbers by {radians} and call the column `x [rad]`");
+        let line = format!(
+            "awk -F',' -v OFS=',' 'NR == 1 {{$2 = \"x [rad]\"}} NR > 1 {{$2 = sprintf(\"%.15g\", $2 * {radians})}} 1'"
+        );
+        for says in [&column, &multiply, &line] {
+            assert!(error.message.contains(says), "{error}");
+        }
+        // Of what is named, and where nothing else is to be asked.
+        let columns = format!("t=t, x={name}, f=torque_Nm");
+        let named = audited_on(&scene, &log, Some(&columns)).unwrap_err();
+        assert!(named.message.contains(&multiply), "{named}");
+        if name.starts_with('x') {
+            let own = log.replace("torque_Nm", "f [N m]");
+            let error = audited_on(&scene, &own, None).unwrap_err();
+            assert!(error.message.contains(&multiply), "{error}");
+        }
+    }
+    // Beside an encoder, and of radians, nothing is said.
+    for (scene, unit) in [(rotary(), "deg"), (scene, "rad")] {
+        let log = format!("t [s],angle_{unit},torque_Nm\n0,0.1,-0.5\n.001,0.2,-1\n");
+        let error = audited_on(&scene, &log, None).unwrap_err();
+        assert!(!error.message.contains("radians"), "{error}");
+        assert!(error.proposal.is_some(), "{error}");
+    }
 }
 
 #[test]
