@@ -196,6 +196,9 @@ impl Report {
                 out.put("account", &text);
             }
             Force::Applied => out.put("account", "of the force in the trace"),
+            Force::Law if self.force.is_none() => {
+                out.put("account", "of the wall's own law, as no force is read");
+            }
             Force::Law => {}
         }
         let totals = &self.totals;
