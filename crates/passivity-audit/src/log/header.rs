@@ -206,7 +206,7 @@ pub(crate) fn is_unit_of_force(text: &str) -> bool {
 }
 
 /// Units in words and in Cyrillic letters, and their symbols. `Grad` is none of them.
-const SPELT: [(&str, &str); 82] = [
+const SPELT: [(&str, &str); 83] = [
     ("inche", "in"),
     ("zoll", "in"),
     ("feet", "ft"),
@@ -237,6 +237,7 @@ const SPELT: [(&str, &str); 82] = [
     ("kilogram", "kg"),
     ("ounce", "oz"),
     ("pound", "lb"),
+    ("lbs", "lb"),
     ("microsecond", "us"),
     ("micros", "us"),
     ("millisecond", "ms"),

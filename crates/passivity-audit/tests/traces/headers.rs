@@ -6,6 +6,7 @@ mod forces;
 mod hints;
 mod joints;
 mod labels;
+mod letters;
 mod others;
 mod preamble;
 mod quotes;

@@ -181,6 +181,7 @@ impl Kind {
                         && (has(&[
                             "force",
                             "torque",
+                            "effort",
                             "kraft",
                             "moment",
                             "thrust",

@@ -6,7 +6,7 @@ use passivity_scene::Scene;
 use super::kind::Kind;
 use super::made::{is_measured, was_made};
 use super::score::{called, own_unit, score};
-use super::words::{HELD, NOT_MEASURED, OF_ANOTHER, PERHAPS_WANTED, words};
+use super::words::{HELD, NOT_MEASURED, OF_ANOTHER, PERHAPS_HELD, PERHAPS_WANTED, words};
 use super::{is_called_a_count, role};
 use crate::log::columns::{Found, Role};
 use crate::log::error::shown;
@@ -47,7 +47,13 @@ fn is_rival(
     let own = headings.get(found.column).map_or(0, called);
     let words = words(&heading.name);
     let has = |list: &[&str]| words.iter().any(|word| list.contains(&word.as_str()));
-    let is_held = found.role == Role::F && has(&HELD);
+    // In one word, too: `Fcmd`.
+    let is_held = |word: &String| {
+        let behind = word.strip_prefix('f').unwrap_or(word);
+        let is_in = |list: &[&str]| list.contains(&word.as_str()) || list.contains(&behind);
+        is_in(&HELD) || is_in(&PERHAPS_HELD)
+    };
+    let is_held = found.role == Role::F && words.iter().any(is_held);
     let is_wanted = has(&NOT_MEASURED) || has(&PERHAPS_WANTED);
     // Nothing that stands still, that numbers the rows, too, or that is said to be something else than what was there.
     let is_none = !preview.moves(column) || numbers_rows(column, preview) || has(&OF_ANOTHER);
@@ -56,7 +62,7 @@ fn is_rival(
     }
     match found.role {
         Role::Count => numbers_rows(found.column, preview) && called(heading) >= NAMED,
-        Role::F => is_held && called(heading) >= NAMED,
+        Role::F => is_held,
         _ => {
             let other = role(kind, headings, column, preview, scene);
             let Some(other) = other.filter(|other| other.role == found.role) else {

@@ -7,8 +7,8 @@ use super::clock::{
 };
 use super::kind::Kind;
 use super::words::{
-    COMMANDED, COMMANDER, FORCE_PAIRS, HELD, MEASURED, NO_FORCE, NO_POSITION, NO_TIME,
-    NOT_MEASURED, PERHAPS_WANTED, words,
+    COMMANDED, COMMANDER, FORCE_PAIRS, HELD, MEASURED, NO_FORCE, NO_LETTER, NO_POSITION, NO_TIME,
+    NOT_MEASURED, OF_FORCE, OF_LETTER, PERHAPS_WANTED, words,
 };
 use super::{LIKELY, axes, has_force, is_counted, is_none_of, lengths, made, side, units, whole};
 use crate::log::error::shown;
@@ -34,8 +34,10 @@ pub(super) fn called(kind: Kind, heading: &Heading, motion: Motion) -> i32 {
     if let (Kind::Time, Some(word), Some(last)) = (kind, words.last(), named.last_mut()) {
         *last |= word.len() > 1 && unit_of_word(word).is_some();
     }
-    // Everything on a topic of this name has the word; of the thing itself it is the last, but for a component.
-    let last = words.iter().rev().find(|word| word.len() > 1);
+    // Everything on a topic of this name has the word; of the thing itself it is the last, but for a component, and for the
+    // field of a message that has but one.
+    let is_more = |word: &&String| word.len() > 1 && *word != "data";
+    let last = words.iter().rev().find(is_more);
     let is_pair = |pair: &[&str; 2]| words.ends_with(&pair.map(str::to_owned));
     if kind == Kind::Force
         && (last.is_some_and(|word| word == "wrench") || FORCE_PAIRS.iter().any(is_pair))
@@ -87,7 +89,8 @@ pub(super) fn may_be_force(
     preview: &Preview,
     scene: &Scene,
 ) -> bool {
-    let has_unit = split(&heading.name).map_or(true, |split| split.unit.is_some());
+    let has_letter = has_letter(&heading.name, scene.motion);
+    let has_unit = split(&heading.name).map_or(true, |split| split.unit.is_some()) && !has_letter;
     let is_number = preview.is_whole(column) && preview.increases(column);
     let is_none = !preview.moves(column) || is_number || preview.is_mode(column);
     if has_unit || is_none || preview.no_number(column).is_some() {
@@ -95,11 +98,44 @@ pub(super) fn may_be_force(
     }
     let words = words(&heading.name);
     let is_in = |list: &[&str], word: &String| list.contains(&word.as_str());
-    let is_known = |word: &String| is_in(&COMMANDED, word) || is_in(&COMMANDER, word);
-    let is_command = words.iter().all(is_known) && words.iter().any(|word| is_in(&COMMANDED, word));
-    let is_unit = is_unit_of_force(&heading.name)
+    // As in `cmdN`; an n before a command is a speed.
+    let is_newton = |word: &String| word == "n" && heading.name.ends_with('N');
+    let is_unit = |word: &String| word.len() > 1 && is_unit_of_force(word) || is_newton(word);
+    let says = |word: &String| is_in(&COMMANDED, word) || is_unit(word);
+    let is_command = words
+        .iter()
+        .all(|word| says(word) || is_in(&COMMANDER, word))
+        && words.iter().any(says);
+    let is_unit = units::is_weight(&heading.name)
         && units::said(Kind::Force, &heading.name, scene.motion).is_ok();
-    is_command || is_unit
+    has_letter || is_command || is_unit
+}
+
+/// Whether a name has the letter of a force or a torque with what is known to stand behind it: `Fd`, `taum`, and of a device
+/// that turns `Tm` and `M_soll`, or `T` and `M` alone. By what stands there, as `frame`, `Time` and `mode` are none.
+fn has_letter(name: &str, motion: Motion) -> bool {
+    let is_torque = |word: &str| motion == Motion::Rotary && ["T", "M"].contains(&word);
+    let is_behind = |rest: &str| {
+        let rest = rest.to_lowercase();
+        OF_FORCE.contains(&rest.as_str()) || OF_LETTER.contains(&rest.as_str())
+    };
+    let in_one = |word: &str| {
+        let letters = ["F", "f", "T", "M", "tau", "Tau", "τ"].into_iter();
+        let mut letters = letters.filter(|it| !["T", "M"].contains(it) || is_torque(it));
+        letters.any(|letter| {
+            let rest = word.strip_prefix(letter);
+            rest.is_some_and(|rest| {
+                let is_capital = rest.len() == 1 && rest.chars().all(char::is_uppercase);
+                is_behind(rest) && !is_capital && !NO_LETTER.contains(&word)
+            })
+        })
+    };
+    let parts = name.split(|c: char| !c.is_alphabetic());
+    let mut parts = parts.filter(|part| !part.is_empty());
+    match parts.clone().next() {
+        Some(first) if is_torque(first) => parts.skip(1).all(is_behind),
+        _ => parts.any(in_one),
+    }
 }
 
 /// How much what a column holds looks like a kind; or why it cannot be of that kind.

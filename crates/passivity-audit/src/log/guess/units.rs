@@ -4,7 +4,8 @@ use passivity_scene::Motion;
 
 use super::kind::Kind;
 use super::words::{
-    ASIDE, COUNTED, DEGREE, HELD, MEASURED, MICRO, NOT_MEASURED, PERHAPS_WANTED, words,
+    ASIDE, COUNTED, DEGREE, HELD, MEASURED, MICRO, NOT_MEASURED, PERHAPS_HELD, PERHAPS_WANTED,
+    words,
 };
 use crate::log::error::shown;
 use crate::log::header::{self, is_unit, is_unit_of_force, read_unit, read_unit_of_force};
@@ -123,10 +124,11 @@ fn enclosed(kind: Kind, name: &str) -> Result<Option<&str>, String> {
         return Ok(Some(unit));
     }
     let says = |word: &String| {
-        let lists: [&[&str]; 6] = [
+        let lists: [&[&str]; 7] = [
             &ASIDE,
             &COUNTED,
             &HELD,
+            &PERHAPS_HELD,
             &MEASURED,
             &NOT_MEASURED,
             &PERHAPS_WANTED,
@@ -153,6 +155,12 @@ pub(super) fn encloses_force(name: &str) -> bool {
     groups(name)
         .iter()
         .any(|(_, inner)| is_unit_of_force(inner))
+}
+
+/// Whether a name is nothing but a unit of force, or of a mass in its place, as `lbs`: a letter alone says something else.
+pub(super) fn is_weight(name: &str) -> bool {
+    let is_mass = || name.chars().count() > 1 && fits(Kind::Force, name, Motion::Linear);
+    is_unit_of_force(name) || is_mass()
 }
 
 /// Units of what is no time, position, velocity or force.
@@ -238,7 +246,7 @@ pub(super) fn said(kind: Kind, name: &str, motion: Motion) -> Result<Option<Stri
     if let Some(of_heat) = of_heat(name) {
         return Err(no_unit(of_heat, kind, motion));
     }
-    if kind == Kind::Force && is_unit_of_force(name) {
+    if kind == Kind::Force && is_weight(name) {
         return match fits(kind, name, motion) {
             true => Ok(Some(name.trim().to_owned())),
             false => Err(no_unit(name, kind, motion)),

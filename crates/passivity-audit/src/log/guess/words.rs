@@ -209,7 +209,7 @@ pub(super) const HELD: [&str; 6] = ["cmd", "command", "commanded", "motor", "app
 
 /// What a column is called that may have the force that a controller commands, where all its words are of these two lists:
 /// `u`, `pid_out`, `/motor/cmd.data`, `par_motor`.
-pub(super) const COMMANDED: [&str; 9] = [
+pub(super) const COMMANDED: [&str; 19] = [
     "u",
     "cmd",
     "command",
@@ -219,8 +219,18 @@ pub(super) const COMMANDED: [&str; 9] = [
     "output",
     "out",
     "par",
+    "rendered",
+    "render",
+    "dac",
+    "pwm",
+    "drive",
+    "befehl",
+    "stellwert",
+    "stellgröße",
+    "stellgrösse",
+    "stellgroesse",
 ];
-pub(super) const COMMANDER: [&str; 10] = [
+pub(super) const COMMANDER: [&str; 11] = [
     "actuator",
     "controller",
     "data",
@@ -231,6 +241,7 @@ pub(super) const COMMANDER: [&str; 10] = [
     "signal",
     "value",
     "wall",
+    "wrench",
 ];
 
 /// What is called a force by two words at the end of its name.
@@ -329,6 +340,98 @@ pub(super) const MICRO: [char; 2] = ['\u{b5}', '\u{3bc}'];
 
 /// The sign of degrees, and those that are typed for it.
 pub(super) const DEGREE: [char; 3] = ['°', 'º', '˚'];
+
+/// What else a force that was held is called beside one that is only called `f`.
+pub(super) const PERHAPS_HELD: [&str; 16] = [
+    "sent",
+    "sat",
+    "saturated",
+    "lim",
+    "limited",
+    "clipped",
+    "clamped",
+    "out",
+    "output",
+    "dac",
+    "held",
+    "act",
+    "actual",
+    "real",
+    "tot",
+    "total",
+];
+
+/// What else stands behind the letter of a force or a torque that moves, as in `Fd`, `Fwall`, `taum` and `M_soll`. Letters alone
+/// are small then, or stand behind an underscore: `MS`, `TS` and `FS` are others.
+pub(super) const OF_LETTER: [&str; 64] = [
+    "a",
+    "d",
+    "e",
+    "k",
+    "m",
+    "n",
+    "r",
+    "s",
+    "t",
+    "v",
+    "w",
+    "vw",
+    "wall",
+    "set",
+    "setpoint",
+    "soll",
+    "ist",
+    "ref",
+    "des",
+    "desired",
+    "dem",
+    "demand",
+    "target",
+    "goal",
+    "sent",
+    "sat",
+    "saturated",
+    "limited",
+    "held",
+    "actual",
+    "meas",
+    "measured",
+    "real",
+    "sens",
+    "sensor",
+    "ctrl",
+    "ctl",
+    "control",
+    "dac",
+    "drive",
+    "dev",
+    "device",
+    "app",
+    "appl",
+    "con",
+    "cont",
+    "contact",
+    "spring",
+    "spr",
+    "damp",
+    "damper",
+    "haptic",
+    "hap",
+    "virt",
+    "virtual",
+    "render",
+    "rendered",
+    "hand",
+    "human",
+    "user",
+    "env",
+    "sum",
+    "net",
+    "res",
+];
+
+/// Words of a small letter and one of these that are more often something else: a fact, feet, and a rate of samples.
+pub(super) const NO_LETTER: [&str; 3] = ["fact", "ft", "fs"];
 
 /// The words of a name, in lower case and in the singular; a sign of degrees is one.
 pub(super) fn words(name: &str) -> Vec<String> {

@@ -120,7 +120,24 @@ fn no_command_is_proposed_twice_for_a_count_that_numbers_the_rows() {
 
 #[test]
 fn a_force_that_is_commanded_is_not_passed_over_for_one_called_f() {
-    for name in ["force_cmd [N]", "motor_force [N]", "F applied [N]"] {
+    for name in [
+        "force_cmd [N]",
+        "motor_force [N]",
+        "F applied [N]",
+        "f_sent [N]",
+        "f_sat [N]",
+        "f_saturated [N]",
+        "f_limited [N]",
+        "f_out [N]",
+        "f_dac [N]",
+        "f_held [N]",
+        "f_actual [N]",
+        "f_real [N]",
+        "f_total [N]",
+        "Fcmd [N]",
+        "Fsat [N]",
+        "output [N]",
+    ] {
         let log = log(&format!("t [s],count,f [N],{name}"), 4, |i| {
             format!("0.00{i},{},0,{}", i % 2, i % 2)
         });
@@ -137,6 +154,14 @@ fn a_force_that_is_commanded_is_not_passed_over_for_one_called_f() {
             message.contains("the column `f [N]` may be another force"),
             "{message}"
         );
+    }
+    // Without a unit, too.
+    for name in ["Fcmd", "Fsent", "output", "dac"] {
+        let log = log(&format!("t [s],count,f [N],{name}"), 4, |i| {
+            format!("0.00{i},{},0,{}.5", i % 2, i % 2)
+        });
+        let columns = format!("t=t [s], count=count, f={name} [N]");
+        assert_eq!(proposed(&log, None), columns);
     }
     // Others, and one that cannot be read, are no such.
     for name in [
