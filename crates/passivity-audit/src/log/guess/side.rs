@@ -7,7 +7,7 @@ use super::kind::Kind;
 use super::made::has_one;
 use super::score::own_unit;
 use super::whole;
-use super::words::words;
+use super::words::{OF_WINDING, words};
 use crate::log::columns::Role;
 use crate::log::header::{Heading, split};
 use crate::log::preview::Preview;
@@ -94,14 +94,34 @@ pub(super) fn is_at_motor(kind: Kind, heading: &Heading, scene: &Scene) -> bool 
         has("m") || (is_last && is_turned) || words.iter().any(is_joined)
     });
     let is_encoded = counts_are_at_motor(scene) && is_at_encoder(kind, heading, scene);
-    is_short || is_encoded || words(&heading.name).iter().any(is_motor)
+    is_short
+        || is_encoded
+        || is_of_winding(kind, heading)
+        || words(&heading.name).iter().any(is_motor)
 }
 
-/// Whether the name of a column seems to be that of a motion at the encoder: `encoder_angle`, `shaft_angle`.
+/// Whether the name of a column is that of a torque which only a motor has: of its winding or of its drive, as the letter e
+/// behind that of a torque says too, and in one word an m.
+fn is_of_winding(kind: Kind, heading: &Heading) -> bool {
+    let words = words(&heading.name);
+    let is_it = |word: &String| {
+        OF_WINDING.iter().any(|start| word.starts_with(start))
+            || ["te", "tm", "taue", "taum"].contains(&word.as_str())
+    };
+    let is_letter = |word: &str| ["t", "tau", "τ"].contains(&word);
+    let has_e = || matches!(words.as_slice(), [letter, e, ..] if is_letter(letter) && e == "e");
+    kind == Kind::Force && (words.iter().any(is_it) || has_e())
+}
+
+/// Whether the name of a column seems to be that of a value at the encoder: `encoder_angle`, `shaft_torque`, `tau_in`.
 fn is_at_encoder(kind: Kind, heading: &Heading, scene: &Scene) -> bool {
-    // On a line it may be the unit: `pos_in` is in inches.
-    let is_in = scene.motion != Motion::Linear && has_one(heading, &["in"]);
-    is_motion(kind) && (is_in || has_one(heading, &AT_ENCODER)) && !has_one(heading, &AT_DEVICE)
+    // On a line it may be the unit: `pos_in` is in inches. Right behind what is named it is none, as in `tau_in`.
+    let is_in = |pair: &[String]| matches!(pair, [of, side] if kind.is_named(of) && side == "in");
+    let is_in = match kind {
+        Kind::Force => words(&heading.name).windows(2).any(is_in),
+        _ => scene.motion != Motion::Linear && has_one(heading, &["in"]),
+    };
+    kind != Kind::Time && (is_in || has_one(heading, &AT_ENCODER)) && !has_one(heading, &AT_DEVICE)
 }
 
 const fn is_motion(kind: Kind) -> bool {

@@ -433,6 +433,9 @@ pub(super) const OF_LETTER: [&str; 64] = [
 /// Words of a small letter and one of these that are more often something else: a fact, feet, and a rate of samples.
 pub(super) const NO_LETTER: [&str; 3] = ["fact", "ft", "fs"];
 
+/// The torques of a motor, whose winding is in it and whose drive it is: words, and the starts of words.
+pub(super) const OF_WINDING: [&str; 4] = ["winding", "electromagnetic", "wicklung", "antrieb"];
+
 /// The words of a name, in lower case and in the singular; a sign of degrees is one.
 pub(super) fn words(name: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();

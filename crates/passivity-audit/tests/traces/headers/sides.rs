@@ -236,6 +236,18 @@ fn a_force_of_the_motor_is_not_proposed_as_one_of_the_device() {
         "tau_m [N m]",
         "Fmot",
         "f (motor) [N m]",
+        "winding_torque [N m]",
+        "electromagnetic_torque",
+        "Te [N m]",
+        "tau_e",
+        "tm [N m]",
+        "Tm",
+        "Antriebsmoment [N m]",
+        // Where the encoder is at the motor, as an angle of this name.
+        "shaft_torque [N m]",
+        "input_torque",
+        "torque_in",
+        "tau_in",
     ] {
         let error = refused(&geared("motor"), &format!("count,{name}"), rows);
         assert_eq!(error.proposal, None, "{error}");
@@ -245,6 +257,16 @@ fn a_force_of_the_motor_is_not_proposed_as_one_of_the_device() {
         assert!(!text.contains("f="), "{text}");
         let proposal = audited_on(&rotary(), &log(&format!("count,{name}"), rows), None);
         assert!(proposal.unwrap_err().proposal.is_some(), "{name}");
+    }
+    // Behind the transmission, and with the encoder there.
+    for (side, name) in [
+        ("motor", "output_shaft_torque [N m]"),
+        ("motor", "torque_oz_in"),
+        ("motor", "torque_e_stop_in [N m]"),
+        ("device", "shaft_torque [N m]"),
+    ] {
+        let error = refused(&geared(side), &format!("count,{name}"), rows);
+        assert!(error.proposal.is_some(), "{error}");
     }
     // Beside the force at the device it is another column.
     let both = log(
