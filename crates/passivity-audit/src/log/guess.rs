@@ -3,6 +3,8 @@
 //! A guess is never acted upon. It goes by the words in a name, by the unit, and by the first rows: a
 //! clock runs forward, and where its name says no unit, it is the one in which it ticks about once a sampling period.
 
+use std::cell::LazyCell;
+
 use passivity_scene::{Motion, Scene};
 
 use crate::log::columns::{Found, Role};
@@ -10,11 +12,14 @@ use crate::log::header::{Heading, is_of_recorder, is_unit_of_force, split};
 use crate::log::preview::Preview;
 pub(crate) use axes::beside_axes;
 pub(crate) use clock::other_unit;
-use clock::{Counter, Parts, counter, parts_of_time, unit_of_time};
-pub(crate) use joints::others;
+use clock::{Parts, counter, parts_of_time};
+use joints::Joints;
+pub(crate) use joints::{of_two, others};
 use kind::Kind;
 pub(crate) use proposal::propose;
 pub use proposal::{Otherwise, Proposal};
+use read::role;
+pub(crate) use read::with_unit;
 pub(crate) use rising::only_rises;
 pub(crate) use rivals::{in_doubt, plain_is_meant, why_in_doubt, with_plain};
 use score::{called, held, may_be_force, own_unit, score};
@@ -29,6 +34,7 @@ mod kind;
 mod lengths;
 mod made;
 mod proposal;
+mod read;
 mod rising;
 mod rivals;
 mod score;
@@ -267,9 +273,10 @@ pub(crate) fn named(
             }
         }
     }
-    // What only counts up goes behind another clock and another position. Of equals what is not zero goes before what
-    // is, what is said together with the position before what is said elsewhere, what is of its joint before what is of
-    // another, what moves before what does not, and then the first column: the sort is stable.
+    // What is of the joint of the position goes before what is of another. What only counts up goes behind another clock and
+    // another position. Of equals what is not zero goes before what is, what is said together with the position before what is
+    // said elsewhere, what says its joint before what does not, what moves before what does not, and then the first column: the
+    // sort is stable.
     let counts_up = |c: &Candidate| {
         is_counter(headings, preview, c.column)
             || c.kind == Kind::Position && preview.counts_rows(c.column)
@@ -294,22 +301,50 @@ pub(crate) fn named(
         Kind::Position => (has_place || is_clock(c.column)) && counts_up(c),
         Kind::Force | Kind::Velocity => false,
     };
-    let likely = |c: &Candidate| (!goes_behind(c), c.score, !preview.is_zero(c.column));
+    let columns_of = |kind: Kind| -> Vec<usize> {
+        let columns = candidates
+            .iter()
+            .filter(|c| c.kind == kind)
+            .map(|c| c.column);
+        let said = said.iter().filter(|found| Kind::of(found.role) == kind);
+        columns.chain(said.map(|found| found.column)).collect()
+    };
+    let [forces, velocities] = [Kind::Force, Kind::Velocity].map(columns_of);
+    let joints = |kind, columns| {
+        LazyCell::new(move || Joints::new((kind, columns), (headings, preview), scene))
+    };
+    let of_forces = joints(Kind::Force, forces.as_slice());
+    let of_velocities = joints(Kind::Velocity, velocities.as_slice());
+    let force = said.iter().find(|found| found.role == Role::F);
+    let has_force = |at: usize| {
+        forces.is_empty()
+            || forces
+                .iter()
+                .any(|it| of_forces.is_of(at, *it) != Some(false))
+    };
+    let likely = |c: &Candidate| {
+        let is_place = c.kind == Kind::Position;
+        let behind = goes_behind(c) || is_place && force.is_some() && !has_force(c.column);
+        (!behind, c.score, !preview.is_zero(c.column))
+    };
+    // Of equal positions one whose joint has a force, where others have one.
     let best = |kind: Kind| {
         let of_kind = candidates.iter().filter(|c| c.kind == kind);
-        let most = of_kind
-            .rev()
-            .max_by_key(|c| (likely(c), preview.moves(c.column)));
-        most.map(|c| c.column)
+        let key = |c: &Candidate| (likely(c), preview.moves(c.column));
+        let most = of_kind.clone().map(key).max();
+        let mut equal = of_kind.filter(|c| Some(key(c)) == most).map(|c| c.column);
+        let first = equal.clone().next();
+        equal.find(|at| has_force(*at)).or(first)
     };
     let position = said.iter().find(|found| found.is_position());
     let position = position.map(|found| found.column);
     let position = position.or_else(|| best(Kind::Position));
-    let beside = |c: &Candidate| {
-        position.map(|at| {
-            let is_of = joints::is_of(at, (c.kind, c.column), headings);
-            (preview.together(at, c.column), is_of)
-        })
+    // The force and the velocity of its joint, even where they are zero in the first rows.
+    let is_of = |c: &Candidate| match (position?, c.kind) {
+        (at, Kind::Force) => of_forces.is_of(at, c.column),
+        (at, Kind::Velocity) => of_velocities.is_of(at, c.column),
+        (at, Kind::Position) => (c.column == at).then_some(true),
+        (_, Kind::Time) => None,
     };
     // The clock of the messages that say the position goes before that of the recorder, and of other messages.
     let is_own = |c: &Candidate| {
@@ -325,10 +360,16 @@ pub(crate) fn named(
         .collect();
     let is_other =
         |c: &Candidate| c.kind == Kind::Time && !owns.is_empty() && !owns.contains(&c.column);
-    candidates.sort_by_key(|c| {
-        let likely = (!is_other(c), likely(c));
-        std::cmp::Reverse((likely, beside(c), preview.moves(c.column)))
+    candidates.sort_by_cached_key(|c| {
+        let (is_near, score, is_moved) = likely(c);
+        let is_own = is_of(c);
+        let first = (!is_other(c), is_own != Some(false), is_near, score);
+        let together = position.map(|at| preview.together(at, c.column));
+        let second = (is_moved, together, is_own == Some(true));
+        std::cmp::Reverse((first, second, preview.moves(c.column)))
     });
+    // A velocity of another joint says nothing of this one.
+    candidates.retain(|c| c.kind != Kind::Velocity || is_of(c) != Some(false));
     let mut found: Vec<Found> = Vec::new();
     for Candidate { kind, column, .. } in candidates {
         if found
@@ -351,92 +392,4 @@ pub(crate) fn named(
         found.extend(read(column));
     }
     found
-}
-
-/// What exactly a column of a kind says.
-fn role(
-    kind: Kind,
-    headings: &[Heading],
-    column: usize,
-    preview: &Preview,
-    scene: &Scene,
-) -> Option<Found> {
-    let heading = headings.get(column)?;
-    let own = own_unit(kind, heading, scene.motion);
-    let counts = kind == Kind::Position
-        && whole::counts(heading, column, preview, scene).is_ok_and(|counts| counts);
-    let bare = scene.motion == Motion::Dimensionless;
-    let role = match kind {
-        _ if counts => Role::Count,
-        Kind::Time if bare || counter(headings, preview, column) == Some(Counter::Periods) => {
-            Role::Tau
-        }
-        Kind::Time => Role::T,
-        Kind::Position if bare => Role::Xi,
-        Kind::Position => Role::X,
-        Kind::Velocity => Role::V,
-        Kind::Force => Role::F,
-    };
-    let unit = match own.as_deref() {
-        _ if bare || role.is_bare() => None,
-        Some(unit) => units::respelt(kind, unit, scene.motion).map(str::to_owned),
-        None => Some(unit_said(kind, heading, column, preview, scene)),
-    };
-    Some(Found {
-        role,
-        column,
-        unit,
-        reversed: false,
-    })
-}
-
-/// What a column says, with the unit that its name should give.
-pub(crate) fn with_unit(
-    found: &Found,
-    headings: &[Heading],
-    preview: &Preview,
-    scene: &Scene,
-) -> Found {
-    let bare = scene.motion == Motion::Dimensionless || found.role.is_bare();
-    let heading = headings.get(found.column);
-    let typed = heading.is_some_and(|heading| heading.unit.is_some());
-    if bare || typed || found.unit.is_some() {
-        return found.clone();
-    }
-    let kind = Kind::of(found.role);
-    if kind == Kind::Position
-        && let Some(counts) = heading.map(|it| whole::counts(it, found.column, preview, scene))
-        && counts != Ok(false)
-    {
-        let role = counts.map_or(found.role, |_| Role::Count);
-        return Found {
-            role,
-            ..found.clone()
-        };
-    }
-    // A name with a unit of something else is given none.
-    let is_open =
-        |it: &&Heading| kind == Kind::Time || units::said(kind, &it.name, scene.motion).is_ok();
-    let unit = heading.filter(is_open);
-    let unit = unit.map(|heading| unit_said(kind, heading, found.column, preview, scene));
-    Found {
-        unit,
-        ..found.clone()
-    }
-}
-
-/// The unit that the name of a column seems to give, or else the one that is assumed.
-fn unit_said(
-    kind: Kind,
-    heading: &Heading,
-    column: usize,
-    preview: &Preview,
-    scene: &Scene,
-) -> String {
-    let said = units::said(kind, &heading.name, scene.motion);
-    match (kind, said) {
-        (Kind::Time, _) => unit_of_time(&heading.name, preview.step(column), scene).to_owned(),
-        (_, Ok(Some(unit))) => unit,
-        (kind, _) => kind.unit(scene.motion).to_owned(),
-    }
 }

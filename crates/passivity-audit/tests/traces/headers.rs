@@ -1,5 +1,6 @@
 //! What a log is taken to be by its header and its first rows, and what is proposed where that is not understood.
 
+mod axes;
 mod clocks;
 mod counters;
 mod forces;

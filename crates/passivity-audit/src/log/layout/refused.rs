@@ -130,6 +130,7 @@ pub(super) fn not_read(
         let why = force_scale(Some(unit), scene).err()?;
         Some(force(found.column, &why.message))
     }));
+    said.extend(guess::of_two((known, &read), (headings, preview), scene));
     header(said.join("; "))
 }
 
@@ -193,7 +194,8 @@ pub(super) fn proposal(
     }
     // Nor what was typed of the motor, with a mistake, as if it were of the device.
     let is_at_motor = |found: &Found| guess::is_at_motor(found, headings, preview, scene);
-    if all.iter().any(is_at_motor) {
+    let of_two = guess::of_two((said, &all), (headings, preview), scene);
+    if of_two.is_some() || all.iter().any(is_at_motor) {
         return None;
     }
     let mut proposal = guess::propose(&all, headings)?;

@@ -178,6 +178,18 @@ fn a_force_that_is_commanded_is_not_passed_over_for_one_called_f() {
     }
 }
 
+/// What was commanded is what counts: it is named where a sensor is called a force.
+#[test]
+fn a_commanded_force_is_named_beside_that_of_a_sensor() {
+    let log = log("t [s],count,force_sensor [N],output [N]", 4, |i| {
+        format!("0.00{i},{},{}.5,{}.25", i % 2, i % 2, i % 2)
+    });
+    let proposal = refused(&log, None).proposal.unwrap();
+    let columns = "t=t [s], count=count, f=force_sensor [N]";
+    assert_eq!(proposal.columns, columns);
+    assert_eq!(proposal.others, ["output [N]"]);
+}
+
 #[test]
 fn a_position_that_was_measured_is_not_passed_over_for_one_called_x() {
     for name in [
