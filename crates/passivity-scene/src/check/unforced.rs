@@ -26,11 +26,11 @@ pub struct Unforced {
     pub speed_si: Option<Interval<BigRational>>,
 }
 
-/// The bound V of TH-START in the units of the loop: V² = ẋ(0)² + (K/m)·x(0)².
+/// The bound V of TH-START in the units of the loop: V² = ẋ(0)² + (K/m)·H(1)·x(0)², H being 1 without a controller.
 pub(super) struct StartSpeed<S> {
     /// The values of V²; exact.
     squared: Interval<S>,
-    /// The values of V where x(0) is zero, so that no root is needed.
+    /// The values of V where nothing is stored at x(0), so that no root is needed.
     known: Option<Interval<S>>,
 }
 
@@ -61,7 +61,13 @@ impl<S: Enclosed> StartSpeed<S> {
         let of = |range: &Option<Interval<S>>| magnitude(&range.clone().unwrap_or_else(zero));
         let velocity = of(&bounds.start_velocity);
         let position = of(&bounds.start_position);
-        if position.hi().is_positive() == Some(false) {
+        // A controller stores ½H(1)ξ² where the wall alone stores ½ξ²: with H(1) = 0 nothing, wherever the device is.
+        let at_one = match &bounds.controller {
+            Some(controller) => S::of(&Exact::of(&controller.at_one()))?,
+            None => S::one(),
+        };
+        let stores = |x: &S| x.is_positive() != Some(false);
+        if !stores(position.hi()) || !stores(&at_one) {
             return Some(Self {
                 squared: velocity.map(Scalar::square),
                 known: Some(velocity),
@@ -70,11 +76,6 @@ impl<S: Enclosed> StartSpeed<S> {
         let inertia = bounds.inertia.as_ref()?;
         let square =
             |v: &S, x: &S, k: &S, m: &S| start::speed_squared(&m.clone().over(k.clone()), x, v);
-        // A controller stores ½H(1)ξ² where the wall alone stores ½ξ².
-        let at_one = match &bounds.controller {
-            Some(controller) => S::of(&Exact::of(&controller.at_one()))?,
-            None => S::one(),
-        };
         let stiffness = bounds.stiffness.map(|k| k.clone() * at_one.clone());
         Some(Self {
             squared: Interval::hull(

@@ -135,3 +135,33 @@ fn a_start_beside_a_controller_counts_what_it_stores() {
     let values = "viscous 9, coulomb 9, position 1/2, inertia 1, numerator [\"3\",\"1\"]";
     assert_eq!(range(&report(values).unforced.unwrap().speed), "1");
 }
+
+/// A controller with H(1) = 0 stores nothing at rest, wherever the device is, so that it gets no faster than it starts. The
+/// verdict is that of the scene without its start.
+#[test]
+fn a_start_beside_a_controller_that_stores_nothing_counts_the_speed_alone() {
+    for controller in [
+        r#"numerator ["1","-1"]"#,
+        r#"numerator ["0"]"#,
+        r#"numerator ["0","-1/2","1/2"]"#,
+        r#"numerator ["-0.5","0.5"]"#,
+        r#"numerator ["-1","1"], denominator ["2"]"#,
+    ] {
+        let wall = format!("viscous 9, coulomb 9, inertia 1, {controller}");
+        let bare = report(&wall);
+        for (start, speed) in [
+            ("position 1/2", "0"),
+            ("position -1 … 2, velocity -3/4", "3/4"),
+        ] {
+            let started = report(&format!("{wall}, {start}"));
+            let unforced = started.unforced.as_ref().unwrap();
+            assert_eq!(range(&unforced.speed), speed, "{controller}");
+            assert_eq!(unforced.holds, Truth::Depends, "{controller}");
+            assert_eq!(started.verdict, bare.verdict, "{controller}");
+            assert_eq!(started.limits, bare.limits, "{controller}");
+        }
+    }
+    // Without an inertia too, which only what is stored needs.
+    let values = r#"viscous 9, coulomb 9, position 1/2, velocity 1/4, numerator ["1","-1"]"#;
+    assert_eq!(range(&report(values).unforced.unwrap().speed), "1/4");
+}

@@ -6,7 +6,7 @@ use passivity_scene::check::{Report, check};
 use passivity_scene::number::parse;
 
 /// Keys with their section and unit.
-const KEYS: [(&str, &str, &str); 18] = [
+const KEYS: [(&str, &str, &str); 19] = [
     ("inertia", "device", "kg"),
     ("viscous", "device", "N s/m"),
     ("coulomb", "device", "N"),
@@ -25,6 +25,7 @@ const KEYS: [(&str, &str, &str); 18] = [
     ("position", "start", "m"),
     ("velocity", "start", "m/s"),
     ("numerator", "controller", ""),
+    ("denominator", "controller", ""),
 ];
 
 /// A scene with these values, as in `viscous 3/4, delay 1`; `smooth` is one without an encoder.
