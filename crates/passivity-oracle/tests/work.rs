@@ -171,6 +171,72 @@ fn a_check_of_long_numbers_asks_for_more_work() {
     }
 }
 
+/// One long number among short ones, damping or a controller that costs a thousand bits, and tolerances as wide: each took
+/// from 8 to 40 s, most of it while the scene was read.
+#[test]
+fn a_check_of_numbers_far_apart_asks_for_bounded_work() {
+    let point = r#""dimensionless": {"beta": "1", "sigma": "1"}"#;
+    let at = |friction: &str, damping: &str, period: &str, stiffness: &str| {
+        format!(
+            r#""device": {{"viscous": "{friction}"}}, "encoder": {{"resolution": "0.001 m"}},
+                "sampling": {{"period": "{period}", "delay": 3}},
+                "wall": {{"stiffness": "{stiffness}", "damping": "{damping}"}}"#
+        )
+    };
+    let damped = |delay: u32, damping: &str, more: &str| {
+        format!(
+            r#"{point}, "sampling": {{"delay": {delay}}}, "wall": {{"damping": "{damping}"{more}}}"#
+        )
+    };
+    let filtered = |constant: &str| format!(r#", "damping_time_constant": "{constant}""#);
+    let controller = |last: &str| {
+        format!(
+            r#"{point}, "controller": {{"numerator": ["0", "0", "0", "1", "{last}", "-{last}"]}}"#
+        )
+    };
+    let start = std::time::Instant::now();
+    let few = [
+        (damped(22, "1/3", &filtered("1e-499")), true),
+        (damped(20, "1/3", &filtered("1e-499")), true),
+        (at("1e300 N s/m", "1e300 N s/m", "1 ms", "1 N/m"), true),
+        (
+            at("1e300 N s/m ± 100%", "0 … 1e300 N s/m", ">0.25 s", ">1 N/m"),
+            true,
+        ),
+        (damped(3, "1e300", ""), true),
+        (damped(22, "1e12", ""), true),
+        (controller("1e300"), true),
+        (damped(1, "1e8", &filtered("1e300")), true),
+        (damped(1, "30", &filtered("100")), false),
+        (damped(22, "1/3", &filtered("1e-10")), false),
+        (damped(22, "1e3", ""), false),
+        (damped(3, "1e30", ""), false),
+        (
+            at("12 N s/m", "10 N s/m", "1 ms ± 1%", "100 N/m ± 10%"),
+            false,
+        ),
+        (controller("1e3"), false),
+    ];
+    for (scene, is_refused) in few {
+        let answer = ask(&format!(r#"{{"op": "check", "scene": {{{scene}}}}}"#));
+        assert_eq!(
+            answer.contains(r#""kind": "too_much_work""#),
+            is_refused,
+            "{scene}: {answer}"
+        );
+        assert_eq!(answer.contains(r#""verdict":"#), !is_refused, "{scene}");
+    }
+    let seconds = start.elapsed().as_secs_f64();
+    assert!(seconds < 30.0, "{seconds} s");
+    let run = |damping: &str| {
+        ask(&format!(
+            r#"{{"op": "run", "xi": ["1", "1/2", "0"], "beta": "1", "sigma": "1", "delay": 3, "damping": "{damping}"}}"#
+        ))
+    };
+    assert!(run("1e300").contains(r#""kind": "too_much_work""#));
+    assert!(run("1e30").contains(r#""totals""#));
+}
+
 /// A controller of long fractions, one that is slow to forget, or one that remembers many samples asks for more work than
 /// others: the first took 20 s, the second 90 s, the third 27 s, and the next four from 3 to 14 s.
 #[test]

@@ -276,6 +276,7 @@ fn verdict(fields: &Fields<'_>, mut work: Work, out: &mut Vec<u8>) -> Result<(),
     let (_, value) = fields.get(&["scene"]).ok_or_else(|| missing("scene"))?;
     let place = || At::Field("scene".to_owned());
     work.take(work::of_controller(value), place)?;
+    work.take(work::of_damping(value), place)?;
     let scene = AnyScene::from_json(value).map_err(|error| {
         let first = error.diagnostics().first();
         let key = first.and_then(|diagnostic| diagnostic.scene_key());
@@ -283,7 +284,7 @@ fn verdict(fields: &Fields<'_>, mut work: Work, out: &mut Vec<u8>) -> Result<(),
         let kind = first.map_or("scene", |diagnostic| diagnostic.kind().name());
         Refusal::new(kind, At::Field(at), error.to_string())
     })?;
-    work.take(work::of_check(&scene), place)?;
+    work.take(work::of_joints(&scene), place)?;
     serde_json::to_writer(out, &scene.check())
         .map_err(|error| Refusal::new("undefined", At::Request, error.to_string()))
 }

@@ -10,7 +10,7 @@ use passivity_core::linear_part::MOST_DEGREE;
 use passivity_core::{BigRational, Interval, Loop, Parameter};
 use passivity_scene::json::read_rational;
 use passivity_scene::number::nearest_f64;
-use passivity_scene::{AnyScene, Given, JointScene};
+use passivity_scene::{AnyScene, Given};
 use serde_json::Value;
 
 use super::{At, Refusal};
@@ -90,30 +90,67 @@ pub(super) fn of_row(
 }
 
 /// The steps of computing what a delay with damping costs (TH-LTI): those of Sturm's sequences of polynomials
-/// whose degree it makes. Above the highest degree a closed form is used.
+/// whose degree it makes, and of enclosing a large cost. Above the highest degree a closed form is used.
 pub(super) fn of_costs(dimensionless: &Loop<Interval<BigRational>>) -> u64 {
     let degree = usize::from(dimensionless.delay) + 2;
     match &dimensionless.damping {
         Some(damping) if dimensionless.has_computed_costs() && degree <= MOST_DEGREE => {
             let words = 1 + (damping.lo().numer().bits() + damping.lo().denom().bits()) / 64;
             let degree = u64::try_from(degree).unwrap_or(u64::MAX);
-            degree.saturating_pow(4).saturating_mul(words * words)
+            let of_size = of_size(degree, scale(damping.hi()));
+            (degree.saturating_pow(4).saturating_mul(words * words)).saturating_add(of_size)
         }
         _ => 0,
     }
 }
 
-/// The steps of a check of a linear loop whose costs are computed: many decisions by polynomials of the same degree, at both ends
-/// of each tolerance, and with a filter in many pieces.
-pub(super) fn of_check(scene: &AnyScene) -> u64 {
-    let scene = match scene {
-        AnyScene::One(scene) => scene,
-        AnyScene::Joints(scene) => return of_joints(scene),
+/// The steps of enclosing a cost that is 2 to the power of `scale`, as measured: the distance to it is doubled that often,
+/// and each time the two roots beside a peak are told apart, which lie the closer together the sharper it is.
+fn of_size(degree: u64, scale: i64) -> u64 {
+    let scale = u64::try_from(scale).unwrap_or(0);
+    degree.saturating_pow(3).saturating_mul(scale * scale) / 3
+}
+
+/// The power of two that is about as large as a number.
+fn scale(x: &BigRational) -> i64 {
+    let bits = |n: u64| i64::try_from(n).unwrap_or(i64::MAX);
+    bits(x.numer().bits()) - bits(x.denom().bits())
+}
+
+/// The delay that a scene asks for as it was sent, in samples.
+fn delay(scene: &Value) -> u16 {
+    let delay = scene.pointer("/sampling/delay");
+    let delay = delay.and_then(|delay| read_rational(delay).ok());
+    let delay = delay.and_then(|delay| delay.to_integer().to_u16());
+    delay.unwrap_or(0)
+}
+
+/// The steps of a check of damping in a linear loop: many decisions by polynomials of the same degree, at both ends of each
+/// tolerance, and with a filter in many pieces.
+///
+/// Reading a scene computes what its damping costs. Without its delay a closed form says that, so it is read without one.
+pub(super) fn of_damping(scene: &Value) -> u64 {
+    let others = ["/sampling/latency", "/amplifier", "/controller", "/joint"];
+    let is_there = |place: &str| scene.pointer(place).is_some();
+    if !is_there("/wall/damping") || others.into_iter().any(is_there) {
+        return 0;
+    }
+    let mut undelayed = scene.clone();
+    if let Some(Value::Object(sampling)) = undelayed.get_mut("sampling") {
+        sampling.remove("delay");
+    }
+    // What cannot be read takes no work: it is refused.
+    let Ok(AnyScene::One(mut read)) = AnyScene::from_json(&undelayed) else {
+        return 0;
     };
-    let given = &scene.given;
+    read.given.delay = delay(scene);
+    of_linear(&read.given)
+}
+
+fn of_linear(given: &Loop<Given>) -> u64 {
     let degree = usize::from(given.delay) + 2;
     let is_computed = given.damping.is_some() && given.has_computed_costs();
-    if !is_computed || !given.is_linear() || given.has_actuator() || degree > MOST_DEGREE {
+    if !is_computed || !given.is_linear() || degree > MOST_DEGREE {
         return 0;
     }
     let shaping = [
@@ -122,29 +159,57 @@ pub(super) fn of_check(scene: &AnyScene) -> u64 {
         Parameter::Damping,
         Parameter::DampingTimeConstant,
     ];
-    let (mut bits, mut ends) = (0, 1);
-    for given in shaping.into_iter().filter_map(|of| given.get(of)) {
+    let (mut bits, mut widest, mut ends) = (0, 0, 1);
+    // At the most, of the damping as multiples of KT, and of the filter's time constant as multiples of T.
+    let (mut scale_of_cost, mut scale_of_filter) = (0, 0);
+    for (of, given) in shaping
+        .into_iter()
+        .filter_map(|of| Some((of, given.get(of)?)))
+    {
         // Of a number with π, as many as it is computed with.
-        bits += given
-            .nominal
-            .enclosure(64)
-            .map_or(0, |x| x.lo().numer().bits() + x.lo().denom().bits());
+        let ends_of = [given.value.lo(), given.value.hi()].map(|end| end.enclosure(64));
+        let [Some(lo), Some(hi)] = &ends_of else {
+            continue;
+        };
+        let widths = [lo, hi].map(|end| [end.lo().numer().bits(), end.lo().denom().bits()]);
+        bits += widths.map(|[n, d]| n + d).into_iter().max().unwrap_or(0);
+        widest += widths.into_iter().flatten().max().unwrap_or(0);
         ends *= if given.has_tolerance() { 2 } else { 1 };
+        let below = 1 - scale(lo.lo());
+        match of {
+            Parameter::Damping => scale_of_cost += scale(hi.hi()),
+            Parameter::DampingTimeConstant => scale_of_filter += scale(hi.hi()),
+            Parameter::Period => {
+                scale_of_cost += below;
+                scale_of_filter += below;
+            }
+            _ => scale_of_cost += below,
+        }
     }
-    let pieces = match given.damping_time_constant {
-        Some(_) if ends > 1 => 5000,
-        _ => 250,
+    // What a filter does is no polynomial but a fraction, whose powers are as long as both of its parts.
+    let (pieces, words) = match given.damping_time_constant {
+        Some(_) if ends > 1 => (5000, 1 + widest * widest / 12_288),
+        Some(_) => (250, 1 + widest * widest / 12_288),
+        None => (250, 1 + bits / 256),
     };
-    let words = 1 + bits / 256;
     let degree = u64::try_from(degree).unwrap_or(u64::MAX);
-    degree
-        .saturating_pow(2)
-        .saturating_mul(pieces * ends * words)
+    let decisions = degree.saturating_pow(2).saturating_mul(pieces * words);
+    let steps = decisions.saturating_add(of_size(degree, scale_of_cost));
+    // Limits behind a slow filter are sought in stretches, the more of them the more damping it bends.
+    let [cost, filter] = [scale_of_cost, scale_of_filter].map(|of| u64::try_from(of).unwrap_or(0));
+    let stretches = match given.damping_time_constant {
+        Some(_) => 100 * cost * cost * filter,
+        None => 0,
+    };
+    steps.saturating_add(stretches).saturating_mul(ends)
 }
 
-/// The steps of a check of several joints, as measured: each of the limits of every joint is sought by eliminations of the
+/// The steps of a check of several joints, as measured, and none of one: each of the limits of every joint is sought by eliminations of the
 /// matrix of their frictions, whose numbers grow, or along a direction by sums.
-fn of_joints(scene: &JointScene) -> u64 {
+pub(super) fn of_joints(scene: &AnyScene) -> u64 {
+    let AnyScene::Joints(scene) = scene else {
+        return 0;
+    };
     let n = u64::try_from(scene.motions.len()).unwrap_or(u64::MAX);
     let rows = scene.given.shape.rows();
     let entries = rows.iter().flatten().filter_map(|x| x.enclosure(64));
@@ -183,14 +248,14 @@ pub(super) fn of_controller(scene: &Value) -> u64 {
     }
     let whole = |n: usize| u64::try_from(n).unwrap_or(u64::MAX);
     let words = 1 + width.bits(whole(numerator.len() + denominator.len())) / 64;
-    let delay = scene.pointer("/sampling/delay");
-    let delay = delay.and_then(|delay| read_rational(delay).ok());
-    let delay = delay
-        .and_then(|delay| delay.to_integer().to_u16())
-        .unwrap_or(0);
-    let n = whole(numerator.len().max(denominator.len()) + usize::from(delay));
+    let n = whole(numerator.len().max(denominator.len()) + usize::from(delay(scene)));
+    let largest = numerator.iter().map(scale).max().unwrap_or(0);
+    let largest = largest - denominator.first().map_or(0, scale);
     let steps = match n <= whole(MOST_DEGREE) {
-        true => 2 * n * n * words.saturating_mul(n * n + words),
+        true => {
+            let steps = 2 * n * n * words.saturating_mul(n * n + words);
+            steps.saturating_add(of_size(n, largest))
+        }
         false => 20 * n * words.saturating_mul(n + words),
     };
     steps.saturating_add(forgetting(&denominator, words))
