@@ -11,12 +11,12 @@ fn the_force_of_the_position_s_own_joint_is_proposed_even_where_it_rests_at_firs
         (
             "x [mm],y [mm],fx [N],fy [N]",
             "x=x [mm], f=fx [N]",
-            &["fy [N]", "y [mm]"][..],
+            &["y [mm]", "fy [N]"][..],
         ),
         (
             "x [mm],y [mm],force_x [N],force_y [N]",
             "x=x [mm], f=force_x [N]",
-            &["force_y [N]", "y [mm]"],
+            &["y [mm]", "force_y [N]"],
         ),
         (
             "position_a,position_b,force_a,force_b",
