@@ -54,7 +54,7 @@ impl Agreement {
     /// Whether the forces are near another multiple of the law, by a unit or a sign perhaps.
     fn is_off(&self) -> bool {
         let near = self.fit.filter(|fit| fit.residual < ROUGH);
-        !self.agrees && near.is_some_and(|fit| is_off(&fit))
+        !self.agrees && !self.rough && near.is_some_and(|fit| is_off(&fit))
     }
 }
 
@@ -62,7 +62,7 @@ impl Finding {
     fn leaves_open(&self, applied: bool) -> bool {
         match self.kind {
             "wrap" | "fast_clock" | "undersampled" | "velocity_scale" | "counted_positions" => true,
-            "missed_force" | "old_force" | "stored_energy" | "zero_force" => applied,
+            "missed_force" | "old_force" | "stored_energy" => applied,
             "oversampled" => !applied,
             _ => false,
         }

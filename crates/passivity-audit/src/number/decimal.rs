@@ -95,12 +95,8 @@ pub(crate) fn leading_decimal(text: &[u8], end: u8) -> Option<((i64, u8), usize)
     if before + decimals == 0 {
         return None;
     }
-    if before + decimals > MOST {
-        // Zeros before the first other digit change nothing.
-        let mantissa = text.get(start..at)?.iter();
-        let zeros = mantissa.take_while(|byte| matches!(byte, b'0' | b'.'));
-        let zeros = zeros.filter(|byte| **byte == b'0').count();
-        (before + decimals - zeros <= MOST).then_some(())?;
+    if before + decimals > MOST && before + decimals - zeros_before(text.get(start..at)?) > MOST {
+        return None;
     }
     let (exponent, length) = exponent(text.get(at..)?);
     at += length;
@@ -115,6 +111,16 @@ pub(crate) fn leading_decimal(text: &[u8], end: u8) -> Option<((i64, u8), usize)
     let decimals = u8::try_from(decimals).ok();
     let decimals = decimals.filter(|k| *k <= MOST_DECIMALS)?;
     Some(((if negative { -value } else { value }, decimals), at))
+}
+
+/// How many zeros stand before the first other digit, which they do not change. Few numbers have so many digits that this is
+/// asked.
+#[cold]
+#[inline(never)]
+fn zeros_before(mantissa: &[u8]) -> usize {
+    let zeros = mantissa.iter();
+    let zeros = zeros.take_while(|byte| matches!(byte, b'0' | b'.'));
+    zeros.filter(|byte| **byte == b'0').count()
 }
 
 /// The digits at the start of a text, of which there may be few: as [`digits`] has them.

@@ -96,7 +96,8 @@ fn a_force_that_was_applied_is_stored_nowhere() {
     }
 }
 
-/// Of forces in another unit, or of a column that has none, an account holds that is of no device.
+/// Of forces in another unit an account holds that is of no device. Forces that are zero throughout may be those of a device
+/// whose motor is off.
 #[test]
 fn a_log_does_not_hold_by_forces_that_are_far_from_the_laws() {
     let scene = scene("[dimensionless]\nbeta = \"3/5\"\nsigma = \"6\"");
@@ -109,13 +110,13 @@ fn a_log_does_not_hold_by_forces_that_are_far_from_the_laws() {
         );
         (audit.verdict(), audit.report().headline())
     };
-    for scale in [0.001, 0.1, 0.6, -0.1, 0.0] {
+    for scale in [0.001, 0.1, 0.6, -0.1] {
         let (verdict, headline) = told(scale);
         assert_eq!(verdict, Verdict::Depends, "{scale}");
         let says = "DEPENDS: a finding leaves open whether the operator drew more";
         assert!(headline.starts_with(says), "{headline}");
     }
-    for scale in [0.7, 1.4] {
+    for scale in [0.7, 1.4, 0.0] {
         assert_eq!(told(scale).0, Verdict::Holds, "{scale}");
     }
     let by_law = audited_as(
