@@ -80,13 +80,16 @@ pub(crate) fn number(of: &'static str) -> impl Fn(&str) -> Result<f64, String> +
     }
 }
 
+/// Reads a share of something, below 1.
+#[cfg(feature = "identify")]
+pub(crate) fn share(text: &str) -> Result<f64, String> {
+    let share = text.parse().ok().filter(|x| (0.0..1.0).contains(x));
+    share.ok_or_else(|| "expected a share from 0 to below 1, such as 0.05 for 5 %".to_owned())
+}
+
 /// What a count may be off by.
 #[cfg(feature = "identify")]
 pub(crate) const TICKS: &str = "of ticks, such as 0.5";
-
-/// By what share of itself a force may be off.
-#[cfg(feature = "identify")]
-pub(crate) const SHARE: &str = "below 1, such as 0.05 for 5 %";
 
 /// What a force may be off by.
 #[cfg(feature = "identify")]

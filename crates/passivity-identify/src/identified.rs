@@ -71,8 +71,8 @@ pub struct Identified {
     pub(crate) force_error: f64,
     /// How many times the logged one it may be.
     pub(crate) scale: Ends,
-    /// Whether nobody says that, and the inertia does not tell.
-    pub(crate) is_scale_open: bool,
+    /// Whether somebody says that.
+    pub(crate) is_scale_said: bool,
     pub(crate) units: [[f64; 2]; 3],
     /// T in seconds.
     pub(crate) period: f64,
@@ -222,7 +222,7 @@ pub fn identify(
             inertia,
             force_error: errors.force,
             scale,
-            is_scale_open: options.scale_error.is_none() && inertia[1] > KNOWN * inertia[0],
+            is_scale_said: options.scale_error.is_some(),
             units,
             period,
             motion: sketch.motion,
@@ -266,9 +266,6 @@ pub fn identify(
     });
     Ok(whole(found, shear, best, suspicion))
 }
-
-/// Up to here the largest inertia is the least but for how it is computed.
-const KNOWN: f64 = 1.0 + 1e-9;
 
 /// The least inertia that is looked for, of the largest that the logs allow.
 const LEAST_INERTIA: f64 = 1e-6;
@@ -343,6 +340,9 @@ impl Identified {
             return;
         }
         let wanted = if inertia_is_free { 3 } else { 2 };
+        let [least, most] = self.scale;
+        let less = |x: f64| if least == 1.0 { x } else { mul_down(x, least) };
+        let more = |x: f64| if most == 1.0 { x } else { mul(x, most) };
         for (dimension, parameter) in PARAMETERS.into_iter().enumerate().take(wanted) {
             let unit = self.units.get(dimension).copied().unwrap_or([f64::NAN; 2]);
             let ends = self
@@ -353,10 +353,10 @@ impl Identified {
             // An inertia may be smaller than what was looked at.
             let is_open = dimension == INERTIA && ends.is_some_and(|[lo, _]| lo <= least_inertia);
             let lo = match ends.filter(|_| !is_open) {
-                Some([lo, _]) => mul_down(mul_down(lo, unit[0]), self.scale[0]),
+                Some([lo, _]) => less(mul_down(lo, unit[0])),
                 None => 0.0,
             };
-            let hi = ends.map(|[_, hi]| mul(mul(hi, unit[1]), self.scale[1]));
+            let hi = ends.map(|[_, hi]| more(mul(hi, unit[1])));
             let best = best.map(|best| best * middle(unit));
             self.parameters.push((
                 parameter,

@@ -41,7 +41,7 @@ pub enum Lack {
     OtherWay,
     /// The logs fit with forces that act a row later or earlier too, with other friction.
     Row,
-    /// The logs fit with forces that are off by a factor too, with another inertia and other friction.
+    /// The logs may fit with forces that are off by a factor too, with other friction.
     Scale,
     /// None of these: there is too little of it.
     Length,
@@ -125,9 +125,9 @@ impl fmt::Display for Lack {
                  with a sudden push each way, hard enough for many ticks a row",
             ),
             Self::Scale => f.write_str(
-                "with a force that is off by a factor, as by a torque constant, the logs fit too, with another inertia that is \
-                 allowed and with friction that is off by the same factor, beyond these bounds: say by what share of itself the \
-                 force may be off, as with --scale-error 0.05",
+                "with a force that is off by a factor, as by a torque constant, the logs fit too, as the inertia does not tell \
+                 the factor, and friction is off by as much, beyond these bounds: say by what share of itself the force may be \
+                 off, as with --scale-error 0.05",
             ),
             Self::Length => f.write_str("there is too little motion: add a longer log, or a second one"),
         }
@@ -147,7 +147,7 @@ pub(crate) fn lacks(identified: &Identified) -> Vec<Lack> {
     if fits_another_row(identified) {
         all.push(Lack::Row);
     }
-    if identified.is_scale_open && identified.is_bounded() {
+    if !identified.is_scale_said && identified.is_bounded() && fits_another_scale(identified) {
         all.push(Lack::Scale);
     }
     all
@@ -158,13 +158,6 @@ pub(crate) fn lacks(identified: &Identified) -> Vec<Lack> {
 /// A spring force of a swing that acts late by a time t is, nearly, one in time with a viscous friction that is less
 /// by t times its stiffness.
 fn fits_another_row(identified: &Identified) -> bool {
-    /// Of the width of a count: least squares do not make the largest residual the smallest.
-    const SHARE: f64 = 1.5;
-    let (Some(hull), Some(best)) = (identified.found.hull, identified.best) else {
-        return false;
-    };
-    let widths = identified.logs.iter().flat_map(|log| log.positions.first());
-    let width = widths.map(|[lo, hi]| hi - lo).fold(0.0, f64::max);
     // Before the first row there may have been no force, or its own.
     let shifts: [fn(&mut Log); 3] = [
         |log| log.shift(1),
@@ -178,14 +171,36 @@ fn fits_another_row(identified: &Identified) -> bool {
                 .for_each(|(first, own)| *first = own);
         },
     ];
-    shifts.iter().any(|shift| {
-        let mut logs = identified.logs.clone();
-        logs.iter_mut().for_each(shift);
-        let (at, apart) = estimate::near(&logs, best, identified.inertia);
-        let mut frictions = at.iter().zip(hull).take(INERTIA);
-        let is_beyond = frictions.any(|(x, [lo, hi])| !(lo..=hi).contains(x));
-        is_beyond && apart <= SHARE * width
-    })
+    shifts.iter().any(|shift| fits_beyond(identified, shift))
+}
+
+/// Whether the logs may fit with forces that are all off by a factor, with friction beyond the box: where the inertia has a
+/// tolerance that is worth a factor, or does not show in the logs.
+fn fits_another_scale(identified: &Identified) -> bool {
+    /// A tolerance below this hides no factor that matters.
+    const KNOWN: f64 = 1.001;
+    /// How far off a torque constant may well be.
+    const FACTORS: [f64; 2] = [1.05, 0.95];
+    let [least, most] = identified.inertia;
+    let scaled = |factor: f64| fits_beyond(identified, |log| log.scale(factor));
+    most > KNOWN * least || FACTORS.into_iter().any(scaled)
+}
+
+/// Whether logs that are changed fit, by least squares, about as well as counts tell, with friction beyond the box.
+fn fits_beyond(identified: &Identified, change: impl Fn(&mut Log)) -> bool {
+    /// Of the width of a count: least squares do not make the largest residual the smallest.
+    const SHARE: f64 = 1.5;
+    let (Some(hull), Some(best)) = (identified.found.hull, identified.best) else {
+        return false;
+    };
+    let widths = identified.logs.iter().flat_map(|log| log.positions.first());
+    let width = widths.map(|[lo, hi]| hi - lo).fold(0.0, f64::max);
+    let mut logs = identified.logs.clone();
+    logs.iter_mut().for_each(change);
+    let (at, apart) = estimate::near(&logs, best, identified.inertia);
+    let mut frictions = at.iter().zip(hull).take(INERTIA);
+    let is_beyond = frictions.any(|(x, [lo, hi])| !(lo..=hi).contains(x));
+    is_beyond && apart <= SHARE * width
 }
 
 /// Whether the device surely moves, and nowhere the other way by a tenth of that or more.

@@ -157,14 +157,19 @@ impl Log {
             .positions
             .iter()
             .take(first.map_or(self.len(), |first| first + 1));
-        let moved = still.clone().enumerate().find_map(|(to, [lo, hi])| {
-            let mut before = still.clone().take(to);
-            let from = before.position(|[least, most]| most < lo || hi < least)?;
-            Some((from + 1, to + 1))
+        let mut known = [f64::NEG_INFINITY, f64::INFINITY];
+        let moved = still.clone().enumerate().find(|(_, [lo, hi])| {
+            known = [known[0].max(*lo), known[1].min(*hi)];
+            known[0] > known[1]
         });
-        let Some((from, to)) = moved else {
+        let Some((to, [lo, hi])) = moved else {
             return Ok(());
         };
+        // Of intervals that have nothing in common two are apart.
+        let from = still
+            .take(to)
+            .position(|[least, most]| most < lo || hi < least);
+        let (from, to) = (from.unwrap_or_default() + 1, to + 1);
         let acts = first.map_or_else(String::new, |first| {
             format!(", and no force acts before row {}", first + 1)
         });
@@ -173,6 +178,13 @@ impl Log {
              logged a row after the one from which it acts, are counts off by more than --count-error, or was there a \
              hand on the device? A log must start at rest"
         )))
+    }
+
+    /// Takes every force so many times.
+    pub(crate) fn scale(&mut self, factor: f64) {
+        for ends in self.forces.iter_mut().flatten() {
+            *ends *= factor;
+        }
     }
 
     /// Lets each force act so many rows earlier.

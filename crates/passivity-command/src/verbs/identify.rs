@@ -75,7 +75,7 @@ pub(crate) struct Args {
     #[arg(
         long,
         value_name = "SHARE",
-        value_parser = crate::args::number(crate::args::SHARE),
+        value_parser = crate::args::share,
         allow_negative_numbers = true
     )]
     scale_error: Option<f64>,

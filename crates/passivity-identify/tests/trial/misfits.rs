@@ -277,3 +277,32 @@ fn a_scale_of_the_force_is_told_by_the_inertia_or_by_somebody() {
         assert_eq!(error.to_string(), says);
     }
 }
+
+/// Of a device that is stopped within a row the inertia shows nothing, however well it is known, and tells no factor of the force.
+#[test]
+fn a_scale_of_the_force_is_not_told_by_an_inertia_that_does_not_show() {
+    let device = Device {
+        viscous: 1.0,
+        coulomb: 5.0,
+        inertia: 0.1,
+    };
+    let mut random = Random::new(8);
+    let both_ways = |row, _| match row {
+        0..20 => 1.15 * 25.0,
+        60..80 => 1.15 * -15.0,
+        _ => 0.0,
+    };
+    let stronger = Device {
+        viscous: 1.15 * device.viscous,
+        coulomb: 1.15 * device.coulomb,
+        inertia: 1.15 * device.inertia,
+    };
+    let even = vec![Number::whole(1); 120];
+    // What moves like this device under forces that are less by the factor.
+    let log = recorded(&stronger, 0.3, &even, &mut random, true, both_ways);
+    let found = identify(&[log], &sketch(device.inertia, 0.0), &quick(), |_| true).unwrap();
+    assert!(
+        found.fits() && found.lacks.contains(&Lack::Scale),
+        "{found:?}"
+    );
+}

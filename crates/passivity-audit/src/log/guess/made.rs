@@ -22,9 +22,26 @@ pub(super) fn is_measured(heading: &Heading) -> bool {
     has_one(heading, &MEASURED)
 }
 
-/// Whether a position is said to be made of another one, as a filtered one is.
+/// Whether nothing else is said of it, but which axis it is: `actual`, `y_meas`.
+pub(super) fn is_plainly_measured(heading: &Heading) -> bool {
+    let is_it = |word: &String| {
+        MEASURED.contains(&word.as_str()) || ["x", "y", "z"].contains(&word.as_str())
+    };
+    let stem = split(&heading.name).map_or(heading.name.as_str(), |split| split.stem);
+    is_measured(heading) && words(stem).iter().all(is_it)
+}
+
+/// Whether a position is said to be made of another one, as a filtered one is: by the end of a path, as what is before it may
+/// be the name of a program's model.
 pub(super) fn was_made(heading: &Heading) -> bool {
-    has_one(heading, &MADE) || has_one(heading, &OF_ANOTHER)
+    let stem = split(&heading.name).map_or(heading.name.as_str(), |split| split.stem);
+    let words = words(stem.rsplit('/').next().unwrap_or(stem));
+    let is_it = |word: &String| {
+        [&MADE[..], &OF_ANOTHER[..]]
+            .iter()
+            .any(|list| list.contains(&word.as_str()))
+    };
+    words.iter().any(is_it)
 }
 
 /// Whether a column that has positions may have those that were measured: it is called a position, or is said to be measured,

@@ -4,7 +4,7 @@
 use passivity_scene::Scene;
 
 use super::kind::Kind;
-use super::made::{is_measured, was_made};
+use super::made::{is_plainly_measured, was_made};
 use super::score::{called, own_unit, score};
 use super::words::{HELD, NOT_MEASURED, OF_ANOTHER, PERHAPS_HELD, PERHAPS_WANTED, words};
 use super::{is_called_a_count, role};
@@ -62,7 +62,15 @@ fn is_rival(
     }
     match found.role {
         Role::Count => numbers_rows(found.column, preview) && called(heading) >= NAMED,
-        Role::F => is_held,
+        // A flag is none, and `T_out` may be a temperature.
+        Role::F => {
+            let is_letter = words
+                .first()
+                .is_some_and(|word| ["t", "m"].contains(&word.as_str()));
+            let is_flag =
+                preview.is_mode(column) && own_unit(kind, heading, scene.motion).is_none();
+            is_held && !is_letter && !is_flag
+        }
         _ => {
             let other = role(kind, headings, column, preview, scene);
             let Some(other) = other.filter(|other| other.role == found.role) else {
@@ -72,7 +80,7 @@ fn is_rival(
             let is_rounded = found.role == Role::X
                 && is_called_a_count(&heading.name)
                 && !moved_apart([found, &other], headings, preview, scene);
-            let is_said = called(heading) > own || is_measured(heading);
+            let is_said = called(heading) > own || is_plainly_measured(heading);
             is_said && !is_rounded && !was_made(heading)
         }
     }

@@ -90,7 +90,9 @@ pub(super) fn may_be_force(
     scene: &Scene,
 ) -> bool {
     let has_letter = has_letter(&heading.name, scene.motion);
-    let has_unit = split(&heading.name).map_or(true, |split| split.unit.is_some()) && !has_letter;
+    // The m in `T_m` is none, and the one in `T [m]` is.
+    let is_said = !has_letter || heading.name.contains(['[', '(']);
+    let has_unit = is_said && split(&heading.name).map_or(true, |split| split.unit.is_some());
     let is_number = preview.is_whole(column) && preview.increases(column);
     let is_none = !preview.moves(column) || is_number || preview.is_mode(column);
     if has_unit || is_none || preview.no_number(column).is_some() {
@@ -98,6 +100,9 @@ pub(super) fn may_be_force(
     }
     let words = words(&heading.name);
     let is_in = |list: &[&str], word: &String| list.contains(&word.as_str());
+    if words.iter().any(|word| is_in(&["error", "err"], word)) {
+        return false;
+    }
     // As in `cmdN`; an n before a command is a speed.
     let is_newton = |word: &String| word == "n" && heading.name.ends_with('N');
     let is_unit = |word: &String| word.len() > 1 && is_unit_of_force(word) || is_newton(word);
@@ -133,6 +138,8 @@ fn has_letter(name: &str, motion: Motion) -> bool {
     let parts = name.split(|c: char| !c.is_alphabetic());
     let mut parts = parts.filter(|part| !part.is_empty());
     match parts.clone().next() {
+        // `T` alone may be a temperature, or a time.
+        Some("T") if is_torque("T") => parts.clone().count() > 1 && parts.skip(1).all(is_behind),
         Some(first) if is_torque(first) => parts.skip(1).all(is_behind),
         _ => parts.any(in_one),
     }
@@ -221,9 +228,10 @@ pub(super) fn score(
     let of_unit = held(kind, headings, column, preview, scene).ok()?;
     let of_name = called(kind, heading, scene.motion);
     let mut score = of_unit + of_name;
-    // What has a unit of positions needs no word for one where it is said to be measured, or is an axis.
+    // What has a unit of positions needs no word for one where nothing else is said than that it was measured, or which axis
+    // it is.
     let is_open = kind == Kind::Position && of_unit > 0 && of_name == 0;
-    if is_open && (made::is_measured(heading) || axes::is_axis(heading)) {
+    if is_open && (made::is_plainly_measured(heading) || axes::is_axis(heading)) {
         score += 2;
     }
     if kind == Kind::Force && may_be_force(heading, column, preview, scene) {

@@ -115,11 +115,14 @@ fn is_of_winding(kind: Kind, heading: &Heading) -> bool {
 
 /// Whether the name of a column seems to be that of a value at the encoder: `encoder_angle`, `shaft_torque`, `tau_in`.
 fn is_at_encoder(kind: Kind, heading: &Heading, scene: &Scene) -> bool {
-    // On a line it may be the unit: `pos_in` is in inches. Right behind what is named it is none, as in `tau_in`.
-    let is_in = |pair: &[String]| matches!(pair, [of, side] if kind.is_named(of) && side == "in");
-    let is_in = match kind {
-        Kind::Force => words(&heading.name).windows(2).any(is_in),
-        _ => scene.motion != Motion::Linear && has_one(heading, &["in"]),
+    // On a line it may be the unit: `pos_in` is in inches. Right behind what is named it is none, as in `tau_in`, and before a
+    // unit it says no side, as in `angle in rad`.
+    let named = heading.name.split(['[', '(']).next().unwrap_or_default();
+    let words = words(named);
+    let is_in = match (kind, words.as_slice()) {
+        (Kind::Force, [.., of, side]) => kind.is_named(of) && side == "in",
+        (_, [.., side]) => scene.motion != Motion::Linear && kind != Kind::Force && side == "in",
+        _ => false,
     };
     kind != Kind::Time && (is_in || has_one(heading, &AT_ENCODER)) && !has_one(heading, &AT_DEVICE)
 }

@@ -276,7 +276,9 @@ pub(super) fn proposal(
     }
     let is_only_command =
         |it: &&Found| !is_said(it) && guess::is_only_command(it, headings, preview, scene);
-    if let Some(force) = all.iter().find(is_only_command) {
+    // Where another column is called a force that one is meant then.
+    let has_plain = in_doubt.iter().any(|plain| plain.role == Role::F);
+    if let Some(force) = all.iter().find(is_only_command).filter(|_| !has_plain) {
         let name = headings.get(force.column).map_or("", |it| it.name.trim());
         leaves_open(
             &format!("`{}` is no force", shown(name.as_bytes())),

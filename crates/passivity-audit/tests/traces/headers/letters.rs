@@ -26,7 +26,7 @@ fn the_letter_of_a_force_with_what_stands_behind_it_is_not_passed_over() {
     let linear = "Fd Fwall Fset Fsoll Fref Fdes Fdesired fdes Fa Fm Fs Fk Ft Fe Fv Fvw Fact Fctrl Fctl Fdev Fapp Fcont \
         Fcontact Fspring Fspr Fhaptic Fhap Fvirtual rendered render Befehl Stellwert Stellgröße dac pwm drive cmdN \
         newtons_out motor.Fwall left_Fd fd /device/wrench_out.data";
-    let turning = "Tm Td Tdes Tout Twall tauwall taum taud Md M_soll Msoll M T T_d M_cmd Fd";
+    let turning = "Tm Td Tdes Tout Twall tauwall taum taud Md M_soll Msoll M T_d M_cmd Fd";
     for (scene, names, unit) in [(scene(), linear, "N"), (rotary(), turning, "N m")] {
         for name in names.split_whitespace() {
             let (log, others) = log(&scene, name, MOVES);

@@ -199,8 +199,6 @@ fn a_position_that_was_measured_is_not_passed_over_for_one_called_x() {
         "x_raw [mm]",
         "x_unfiltered [mm]",
         "x_true [mm]",
-        "x_dev [mm]",
-        "x_tip [mm]",
         "measured [mm]",
         "actual [mm]",
         "Ist [mm]",
@@ -232,8 +230,21 @@ fn a_position_that_was_measured_is_not_passed_over_for_one_called_x() {
         "x_raw [V]",
         "actual [A]",
         "timestamp_us",
+        // A word that is one of a measured position says nothing beside others, nor a mark of a deviation.
+        "x_dev [mm]",
+        "device_gap [mm]",
+        "actual_gap [mm]",
+        "laser_sensor [mm]",
+        "tip_deflection [mm]",
+        // Not of a force.
+        "fe [mm]",
     ] {
         let log = format!("t [s],x [mm],{name}\n0,0,0\n0.001,0.5,1\n0.002,0,5\n");
+        audited(&log, None).unwrap_or_else(|error| panic!("{name}: {error}"));
+    }
+    // Nor is a flag another force.
+    for name in ["f_sat", "f_clipped", "f_limited"] {
+        let log = format!("t [s],x [mm],f [N],{name}\n0,0,0,0\n0.001,0.5,-0.5,1\n0.002,0,0,0\n");
         audited(&log, None).unwrap_or_else(|error| panic!("{name}: {error}"));
     }
     // The same, rounded to ticks from where the device was, and counted from elsewhere.

@@ -166,6 +166,16 @@ fn a_motion_of_an_encoder_at_the_motor_is_not_proposed_as_one_of_the_device() {
         let proposal = refused(&geared("motor"), name, rows).proposal.unwrap();
         assert_eq!(proposal.columns, format!("t=t [s], x={name}"));
     }
+    // Before a unit it says no side.
+    for name in ["Angle in rad", "angle_in_rad", "Winkel in rad"] {
+        let proposal = refused(&geared("motor"), name, rows).proposal.unwrap();
+        let columns = format!("t=t [s], x={name}");
+        assert!(
+            proposal.columns.starts_with(&columns),
+            "{}",
+            proposal.columns
+        );
+    }
     // Its counts are those of the scene.
     for name in ["encoder", "enc_pos", "shaft_angle"] {
         let proposal = refused(&geared("motor"), name, ["0", "40", "-3"]).proposal;

@@ -57,7 +57,6 @@ fn what_was_measured_goes_before_what_was_wanted() {
         "ghost",
         "slave",
         "follower",
-        "remote",
         "min",
         "max",
         "tgt",

@@ -63,7 +63,7 @@ pub(super) struct Options {
     #[arg(
         long,
         value_name = "SHARE",
-        value_parser = crate::args::number(crate::args::SHARE),
+        value_parser = crate::args::share,
         allow_negative_numbers = true,
         conflicts_with = "check"
     )]

@@ -96,7 +96,7 @@ pub(in crate::log::guess) const OF_ANOTHER: [&str; 21] = [
 pub(in crate::log::guess) const PERHAPS_WANTED: [&str; 2] = ["d", "r"];
 
 /// What a motion that was measured is called.
-pub(in crate::log::guess) const MEASURED: [&str; 32] = [
+pub(in crate::log::guess) const MEASURED: [&str; 30] = [
     "measured",
     "measurement",
     "meas",
@@ -126,19 +126,16 @@ pub(in crate::log::guess) const MEASURED: [&str; 32] = [
     "实际",
     "raw",
     "unfiltered",
-    "dev",
-    "tip",
     "true",
 ];
 
 /// What a position is called that was made of one that was measured, or of another device, beside what is of another: after a
 /// filter, at another time, or of many rows.
-pub(in crate::log::guess) const MADE: [&str; 46] = [
+pub(in crate::log::guess) const MADE: [&str; 43] = [
     "filtered",
     "filter",
     "filt",
     "lpf",
-    "lp",
     "smooth",
     "smoothed",
     "avg",
@@ -162,14 +159,12 @@ pub(in crate::log::guess) const MADE: [&str; 46] = [
     "prev",
     // `previous`, without what may be the end of a plural.
     "previou",
-    "last",
     "old",
     "interpolated",
     "interp",
     "ghost",
     "slave",
     "follower",
-    "remote",
     "min",
     "max",
     "gefiltert",
