@@ -9,12 +9,15 @@ use crate::log::header::{Heading, split};
 use crate::log::names::by_name;
 use crate::log::preview::Preview;
 
-/// What the other axes are called.
-const OTHERS: [&str; 2] = ["y", "z"];
+/// The axes of a space, each of which is a position where it stands beside another.
+pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Whether a column is called as an axis is, by that letter alone.
+/// Whether a column is called as an axis is, by that letter alone, and not as the position is.
 pub(super) fn is_axis(heading: &Heading) -> bool {
-    split(&heading.name).is_ok_and(|split| OTHERS.contains(&split.stem.to_lowercase().as_str()))
+    split(&heading.name).is_ok_and(|split| {
+        let stem = split.stem.to_lowercase();
+        stem != "x" && AXES.contains(&stem.as_str())
+    })
 }
 
 /// The column `x` where another axis moves in the first rows: which one the wall is at is not said.

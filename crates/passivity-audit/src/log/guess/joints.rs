@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use passivity_scene::Scene;
 
+use super::axes::AXES;
 use super::kind::Kind;
 use super::made::was_made;
 use super::words::{
@@ -15,9 +16,6 @@ use crate::log::columns::{Found, Role};
 use crate::log::error::shown;
 use crate::log::header::{Heading, is_of_recorder, split};
 use crate::log::preview::Preview;
-
-/// The axes of a space, each of which is a position where it stands beside another.
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The parts of a name, in lower case: words, numbers, and a letter behind one of its kind, as that of the axis in `fx`.
 fn parts(kind: Kind, heading: &Heading) -> Vec<String> {

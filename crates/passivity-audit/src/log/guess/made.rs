@@ -2,6 +2,7 @@
 
 use passivity_scene::{Motion, Scene};
 
+use super::axes::AXES;
 use super::kind::Kind;
 use super::score::called;
 use super::words::{MADE, MEASURED, NOT_MEASURED, OF_ANOTHER, PERHAPS_WANTED, words};
@@ -9,39 +10,35 @@ use super::{LIKELY, beside_axes};
 use crate::log::header::{Heading, split};
 use crate::log::preview::Preview;
 
+/// What a column is called, without its unit, which is no word: `y [m]` is not said to be measured.
+fn stem(heading: &Heading) -> &str {
+    split(&heading.name).map_or(heading.name.as_str(), |split| split.stem)
+}
+
 /// Whether the name of a column has a word of a list.
 pub(super) fn has_one(heading: &Heading, list: &[&str]) -> bool {
-    let is_it = |word: &String| list.contains(&word.as_str());
-    // A unit is no word: `y [m]` is not said to be measured.
-    let stem = split(&heading.name).map_or(heading.name.as_str(), |split| split.stem);
-    words(stem).iter().any(is_it)
+    words(stem(heading))
+        .iter()
+        .any(|word| list.contains(&word.as_str()))
 }
 
 /// Whether a position is said to be measured.
-pub(super) fn is_measured(heading: &Heading) -> bool {
+fn is_measured(heading: &Heading) -> bool {
     has_one(heading, &MEASURED)
 }
 
 /// Whether nothing else is said of it, but which axis it is: `actual`, `y_meas`.
 pub(super) fn is_plainly_measured(heading: &Heading) -> bool {
-    let is_it = |word: &String| {
-        MEASURED.contains(&word.as_str()) || ["x", "y", "z"].contains(&word.as_str())
-    };
-    let stem = split(&heading.name).map_or(heading.name.as_str(), |split| split.stem);
-    is_measured(heading) && words(stem).iter().all(is_it)
+    let is_it = |word: &str| MEASURED.contains(&word) || AXES.contains(&word);
+    is_measured(heading) && words(stem(heading)).iter().all(|word| is_it(word))
 }
 
 /// Whether a position is said to be made of another one, as a filtered one is: by the end of a path, as what is before it may
 /// be the name of a program's model.
 pub(super) fn was_made(heading: &Heading) -> bool {
-    let stem = split(&heading.name).map_or(heading.name.as_str(), |split| split.stem);
-    let words = words(stem.rsplit('/').next().unwrap_or(stem));
-    let is_it = |word: &String| {
-        [&MADE[..], &OF_ANOTHER[..]]
-            .iter()
-            .any(|list| list.contains(&word.as_str()))
-    };
-    words.iter().any(is_it)
+    let end = stem(heading).rsplit('/').next().unwrap_or_default();
+    let is_it = |word: &str| MADE.contains(&word) || OF_ANOTHER.contains(&word);
+    words(end).iter().any(|word| is_it(word))
 }
 
 /// Whether a column that has positions may have those that were measured: it is called a position, or is said to be measured,
